@@ -29,6 +29,7 @@ double work_on(const Bodies& b, std::size_t i, Vec2 velocity, double spin) {
 
 Box2dEngine::Box2dEngine(const SceneDef& scene, Bodies bodies, const Box2dOptions& options)
     : options_(options), touches_(field_, options_) {
+  check_one_piece(bodies, "box2d");
   mooring_ = mooring_tables(scene.mooring.law, scene.mooring_design);
   dp_ = dp_law_of(scene, bodies);
   const StepConstants constants = step_constants(scene, bodies, mooring_.view(), &dp_);

@@ -70,6 +70,9 @@ std::string shape_text(const PlatformDef& platform) {
              std::to_string(sides) + " sides" + area;
     case PlatformOutline::listed:
       return "listed outline, " + std::to_string(sides) + " sides" + area;
+    case PlatformOutline::pieces:
+      return std::to_string(platform.piece.size()) + (platform.piece.size() == 1 ? " piece, " : " pieces, ") +
+             std::to_string(sides) + " sides" + area;
     case PlatformOutline::regular:
       break;
   }

@@ -208,6 +208,10 @@ struct EngineOptions {
 /// solver that an engine lacks must not run as another one.
 void check_solver(ContactSolver solver, std::initializer_list<ContactSolver> known, const std::string& engine);
 
+/// Throws Error(usage) if the platform has several pieces. An engine that knows only body 0 as the platform calls it in
+/// its constructor.
+void check_one_piece(const Bodies& bodies, const std::string& engine);
+
 /// Throws Error(usage): the engine does not tell the contact forces by which floes split.
 [[noreturn]] void refuse_breakup(const std::string& engine);
 

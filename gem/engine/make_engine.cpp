@@ -41,6 +41,13 @@ void check_solver(ContactSolver solver, std::initializer_list<ContactSolver> kno
                                    "\" (it does not have this solver) choose another solver or engine");
 }
 
+void check_one_piece(const Bodies& bodies, const std::string& engine) {
+  if (platform_bodies(bodies) == 1) return;
+  throw Error(ExitCode::usage, "the engine " + engine +
+                                   " cannot run a platform of several pieces (platform.outline = \"pieces\"; it knows "
+                                   "one convex outline) use --engine cpu");
+}
+
 std::vector<std::string> engine_names() { return {"reference", "cpu"}; }
 
 void refuse_breakup(const std::string& engine) {

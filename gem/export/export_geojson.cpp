@@ -43,8 +43,11 @@ std::vector<std::vector<Vec2>> obstacles_at(const RunFile& file, const PlatformT
   std::vector<std::vector<Vec2>> obstacles = file.boundary_outlines();
   if (!platform.present()) return obstacles;
   const std::size_t sample = platform.sample_at(time_s);
-  obstacles.push_back(platform.outline(sample));
-  if (!turns_with_course) obstacles.push_back(platform.unturned_outline(sample));
+  const auto add = [&](const std::vector<std::vector<Vec2>>& pieces) {
+    obstacles.insert(obstacles.end(), pieces.begin(), pieces.end());
+  };
+  add(platform.outlines(sample));
+  if (!turns_with_course) add(platform.unturned_outlines(sample));
   return obstacles;
 }
 

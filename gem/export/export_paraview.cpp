@@ -44,16 +44,21 @@ PolyData floe_cells(const FloeRecord& record, const std::vector<FrameFloe>& floe
   return data;
 }
 
-PolyData platform_cell(const PlatformTrack& platform, double time_s) {
+/// A cell for each piece of the platform; each has the values of the whole.
+PolyData platform_cells(const PlatformTrack& platform, double time_s) {
   PolyData data;
   data.time = time_s;
   const std::size_t sample = platform.sample_at(time_s);
-  data.add_cell(platform.outline(sample));
-  data.cell_data = {vector_array("velocity", {{platform.value("vx", sample), platform.value("vy", sample)}}),
-                    {"yaw", 1, std::vector<double>{platform.value("psi", sample)}},
-                    {"spin", 1, std::vector<double>{platform.value("r", sample)}}};
+  const std::vector<std::vector<Vec2>> outlines = platform.outlines(sample);
+  const std::size_t pieces = outlines.size();
+  for (const std::vector<Vec2>& outline : outlines) data.add_cell(outline);
+  const auto vectors = [&](Vec2 value) { return std::vector<Vec2>(pieces, value); };
+  const auto numbers = [&](const char* name) { return std::vector<double>(pieces, platform.value(name, sample)); };
+  data.cell_data = {vector_array("velocity", vectors({platform.value("vx", sample), platform.value("vy", sample)})),
+                    {"yaw", 1, numbers("psi")},
+                    {"spin", 1, numbers("r")}};
   for (const char* name : {"ice_force", "ice_force_mean", "mooring_force", "drag_force"})
-    data.cell_data.push_back(vector_array(name, {platform.vector(name, sample)}));
+    data.cell_data.push_back(vector_array(name, vectors(platform.vector(name, sample))));
   return data;
 }
 
@@ -154,7 +159,7 @@ class Film {
     };
     const std::vector<FrameFloe> floes = record_.frame(frame);
     add(0, "floes", floe_cells(record_, floes, time));
-    if (platform_.present()) add(1, "platform", platform_cell(platform_, time));
+    if (platform_.present()) add(1, "platform", platform_cells(platform_, time));
     add(2, "hits", hits_.between(before, time));
     if (platform_.present()) list_.add(time, 3, "track", "track.vtp");
     list_.add(time, 4, "fixed", "fixed.vtp");

@@ -9,7 +9,7 @@ namespace gem {
 
 PlatformTrack::PlatformTrack(const RunFile& file) {
   if (!file.has("platform/time") || !file.has("shape/platform_xy")) return;
-  outline_ = file.platform_outline();
+  pieces_ = file.platform_pieces();
   times_ = ascending_column(file, "platform/time");
   for (const char* name : {"x", "y", "psi", "vx", "vy", "r", "ice_force_x", "ice_force_y", "ice_force_mean_x",
                            "ice_force_mean_y", "mooring_force_x", "mooring_force_y", "drag_force_x", "drag_force_y"})
@@ -26,12 +26,18 @@ Vec2 PlatformTrack::vector(const std::string& name, std::size_t sample) const {
   return {value(name + "_x", sample), value(name + "_y", sample)};
 }
 
-std::vector<Vec2> PlatformTrack::outline(std::size_t sample) const {
-  return placed(outline_, position(sample), value("psi", sample));
+std::vector<std::vector<Vec2>> PlatformTrack::outlines_with(std::size_t sample, double yaw) const {
+  std::vector<std::vector<Vec2>> outlines;
+  for (const std::vector<Vec2>& piece : pieces_) outlines.push_back(placed(piece, position(sample), yaw));
+  return outlines;
 }
 
-std::vector<Vec2> PlatformTrack::unturned_outline(std::size_t sample) const {
-  return placed(outline_, position(sample), 0.0);
+std::vector<std::vector<Vec2>> PlatformTrack::outlines(std::size_t sample) const {
+  return outlines_with(sample, value("psi", sample));
+}
+
+std::vector<std::vector<Vec2>> PlatformTrack::unturned_outlines(std::size_t sample) const {
+  return outlines_with(sample, 0.0);
 }
 
 }  // namespace gem

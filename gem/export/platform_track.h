@@ -17,7 +17,7 @@ class PlatformTrack {
   explicit PlatformTrack(const RunFile& file);
 
   /// False for a run without a platform or before its first sample.
-  bool present() const { return !times_.empty() && outline_.size() >= 3; }
+  bool present() const { return !times_.empty() && !pieces_.empty() && pieces_[0].size() >= 3; }
   const std::vector<double>& times() const { return times_; }  // ascending [s]
   /// The last sample at or before a time; the first one before all.
   std::size_t sample_at(double time_s) const;
@@ -25,13 +25,15 @@ class PlatformTrack {
   double value(const std::string& name, std::size_t sample) const { return columns_.at(name)[sample]; }
   Vec2 vector(const std::string& name, std::size_t sample) const;
   Vec2 position(std::size_t sample) const { return {value("x", sample), value("y", sample)}; }
-  /// The outline in the world [m].
-  std::vector<Vec2> outline(std::size_t sample) const;
-  /// The outline with the yaw of t = 0 [m].
-  std::vector<Vec2> unturned_outline(std::size_t sample) const;
+  /// The outlines of its pieces in the world [m].
+  std::vector<std::vector<Vec2>> outlines(std::size_t sample) const;
+  /// The same with the yaw of t = 0 [m].
+  std::vector<std::vector<Vec2>> unturned_outlines(std::size_t sample) const;
 
  private:
-  std::vector<Vec2> outline_;
+  std::vector<std::vector<Vec2>> outlines_with(std::size_t sample, double yaw) const;
+
+  std::vector<std::vector<Vec2>> pieces_;
   std::vector<double> times_;
   std::map<std::string, std::vector<double>> columns_;
 };

@@ -53,6 +53,40 @@ void append(Bodies& bodies, const BodyDef& def) {
   bodies.active.push_back(def.outline.empty() ? 0 : 1);
 }
 
+std::int32_t platform_bodies(const Bodies& bodies) {
+  const auto is_platform = [](BodyKind kind) { return kind == BodyKind::platform; };
+  const auto end = std::find_if_not(bodies.kind.begin(), bodies.kind.end(), is_platform);
+  return std::max(1, static_cast<std::int32_t>(end - bodies.kind.begin()));
+}
+
+void append_pieces(Bodies& bodies, const BodyDef& def, const std::vector<std::vector<Vec2>>& pieces) {
+  BodyDef piece = def;
+  const PolygonMoments all = moments_of_all(pieces);
+  const MassAndInertia m = mass_and_inertia(def, all);
+  for (std::size_t i = 0; i < pieces.size(); ++i) {
+    piece.outline = pieces[i];
+    append(bodies, piece);
+  }
+  const std::size_t count = bodies.count(), first = count - pieces.size();
+  double radius = 0.0;
+  for (std::size_t i = first; i < count; ++i) {
+    std::int32_t v = bodies.vertex_begin[i];
+    for (const Vec2 corner : pieces[i - first]) {
+      bodies.vertex[static_cast<std::size_t>(v++)] = corner - all.centroid;
+      radius = std::max(radius, length(corner - all.centroid));
+    }
+  }
+  for (std::size_t i = first; i < count; ++i) {
+    bodies.radius[i] = radius;
+    bodies.area[i] = all.area;
+    bodies.mass[i] = i == first ? m.mass : 0.0;
+    bodies.inertia[i] = i == first ? m.inertia : 0.0;
+    bodies.inverse_mass[i] = m.mass > 0.0 && !def.immovable ? 1.0 / m.mass : 0.0;
+    bodies.inverse_inertia[i] = m.inertia > 0.0 && !def.locked_yaw && !def.immovable ? 1.0 / m.inertia : 0.0;
+    bodies.position[i] = def.origin + rotate(def.rotation, all.centroid);
+  }
+}
+
 std::vector<Vec2> world_outline(const Bodies& bodies, std::size_t i) {
   std::vector<Vec2> outline;
   outline.reserve(static_cast<std::size_t>(bodies.vertex_count(i)));

@@ -1,4 +1,9 @@
 // The state of a field: bodies as arrays. Body 0 is the platform, then the fixed bodies, then the floes.
+//
+// A platform of several convex pieces has a body for each: 0 to platform_bodies() - 1. All have its place and its
+// motion, and their outlines are about its one centroid. Body 0 owns them: it has mass and inertia and takes the
+// impulses. The others have no mass of their own, but the inverse mass and inertia, the area and the radius of the
+// whole platform.
 #pragma once
 
 #include <cstddef>
@@ -20,7 +25,7 @@ struct Bodies {
   std::vector<std::int32_t>
       vertex_begin;                  // count() + 1 entries: outline of i is vertex[vertex_begin[i]..vertex_begin[i+1])
   std::vector<Vec2> vertex;          // [m]
-  std::vector<double> radius;        // farthest vertex from the centroid [m]
+  std::vector<double> radius;        // farthest vertex from the centroid; of pieces: of all [m]
   std::vector<double> area;          // [m2]
   std::vector<double> thickness;     // [m]; contact height for a body that is not ice
   std::vector<double> mass;          // [kg]; 0 for fixed bodies
@@ -58,8 +63,15 @@ struct BodyDef {
   bool immovable = false;  // a platform that keeps its mass, but does not move
 };
 
+/// Number of bodies that are the platform: its pieces. 1 for a platform of one piece, or none.
+std::int32_t platform_bodies(const Bodies& bodies);
+
 /// Appends a body. A platform without outline (absent) is allowed; fixed bodies get zero inverse mass and inertia.
 void append(Bodies& bodies, const BodyDef& def);
+
+/// Appends the platform `def` as pieces: outlines in its axes that do not overlap, about their common centroid [m]. The
+/// outline of `def` is not used.
+void append_pieces(Bodies& bodies, const BodyDef& def, const std::vector<std::vector<Vec2>>& pieces);
 
 /// Outline of body i in world coordinates [m].
 std::vector<Vec2> world_outline(const Bodies& bodies, std::size_t i);

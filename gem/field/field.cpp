@@ -14,6 +14,7 @@
 #include "gem/field/floe_reserve.h"
 #include "gem/field/generator/floe_set.h"
 #include "gem/field/generator/generator.h"
+#include "gem/field/platform_pieces.h"
 #include "gem/geometry/polygon.h"
 #include "gem/scene/check_scene.h"
 #include "gem/scene/platform_shape.h"
@@ -34,9 +35,11 @@ std::uint8_t class_of_thickness(const std::vector<IceClassDef>& classes, double 
 
 /// A listed outline as it is given, so that messages name its corners; a ship may have sides that are too short.
 void check_platform_outline(const PlatformDef& platform) {
-  const OutlineRule rule = {platform_corners_maximum, "give a convex outline: a platform is one convex piece"};
+  const OutlineRule rule = {platform_corners_maximum,
+                            "give a convex outline, or convex pieces: platform.outline = \"pieces\""};
   if (platform.outline == PlatformOutline::listed) check_outline(platform.outline_m, "platform.outline_m", rule);
   if (platform.outline == PlatformOutline::ship) check_outline(platform_outline(platform), "platform (ship)", rule);
+  if (platform.outline == PlatformOutline::pieces) check_platform_pieces(platform);
 }
 
 void append_platform(Bodies& bodies, const SceneDef& scene) {
@@ -57,7 +60,10 @@ void append_platform(Bodies& bodies, const SceneDef& scene) {
     def.locked_yaw = scene.platform.yaw == Yaw::locked;
     def.immovable = scene.platform.fixed;
   }
-  append(bodies, def);
+  if (scene.platform.present && scene.platform.outline == PlatformOutline::pieces)
+    append_pieces(bodies, def, platform_pieces(scene.platform));
+  else
+    append(bodies, def);
 }
 
 void append_fixed(Bodies& bodies, const SceneDef& scene) {

@@ -82,5 +82,75 @@ TEST(PlatformField, AFixedPlatformKeepsItsMassButDoesNotMove) {
   EXPECT_EQ(bodies.inverse_inertia[0], 0.0);
 }
 
+SceneDef pieces_scene() {
+  SceneDef scene = ship_scene();
+  scene.platform.outline = PlatformOutline::pieces;
+  scene.platform.piece = {{{{0.0, 0.0}, {20.0, 0.0}, {20.0, 10.0}, {0.0, 10.0}}},
+                          {{{10.0, 10.0}, {0.0, 10.0}, {0.0, 20.0}, {10.0, 20.0}}}};
+  return scene;
+}
+
+TEST(PlatformField, PiecesAreBodiesAboutTheCommonCentroid) {
+  SceneDef scene = pieces_scene();
+  scene.floe = {floe_at({40.0, 0.0})};
+  const Bodies bodies = make_field(scene);
+  ASSERT_EQ(platform_bodies(bodies), 2);
+  ASSERT_EQ(bodies.count(), 3U);
+  EXPECT_NEAR(bodies.position[1].x, 21.0, 1e-13);
+  EXPECT_NEAR(bodies.vertex[4].x, 10.0 - 25.0 / 3.0, 1e-13) << "the first corner of a clockwise piece stays";
+  EXPECT_NEAR(bodies.vertex[5].y, 20.0 - 25.0 / 3.0, 1e-13) << "the others are turned round";
+  EXPECT_EQ(bodies.mass[1], 0.0);
+  EXPECT_EQ(bodies.inertia[1], 0.0);
+  EXPECT_EQ(bodies.inverse_inertia[1], bodies.inverse_inertia[0]);
+  EXPECT_EQ(bodies.area[1], bodies.area[0]);
+  EXPECT_EQ(bodies.radius[1], bodies.radius[0]);
+}
+
+TEST(PlatformField, OnePieceIsTheListedOutline) {
+  SceneDef pieces = pieces_scene(), listed = pieces_scene();
+  pieces.platform.piece.resize(1);
+  listed.platform.outline = PlatformOutline::listed;
+  listed.platform.outline_m = pieces.platform.piece[0].outline_m;
+  const Bodies a = make_field(pieces), b = make_field(listed);
+  EXPECT_EQ(a.inertia[0], b.inertia[0]);
+  EXPECT_EQ(a.radius[0], b.radius[0]);
+  for (std::size_t v = 0; v < 4; ++v) {
+    EXPECT_EQ(a.vertex[v].x, b.vertex[v].x);
+    EXPECT_EQ(a.vertex[v].y, b.vertex[v].y);
+  }
+}
+
+TEST(PlatformField, FloesMayLieInANotchButNotInAPiece) {
+  SceneDef scene = pieces_scene();
+  const Vec2 inner = Vec2{21.0, -3.0} + Vec2{10.0 - 25.0 / 3.0, 10.0 - 25.0 / 3.0};  // the inner corner of the L
+  scene.floe = {floe_at(inner + Vec2{5.0, 5.0})};
+  EXPECT_EQ(refusal(scene), "accepted");
+  scene.floe = {floe_at(inner + Vec2{5.0, 4.5})};
+  EXPECT_NE(refusal(scene).find("platform piece 0 and floe 0 by 0.5 m"), std::string::npos) << refusal(scene);
+}
+
+TEST(PlatformField, GeneratedFloesKeepClearOfEveryPiece) {
+  SceneDef scene = pieces_scene();
+  scene.floes.source = FloeSource::generated;
+  scene.floes.count = 60;
+  scene.floes.length_m = 80.0;
+  scene.floes.width_m = 80.0;
+  scene.floes.start_x_m = -20.0;
+  scene.output.retire_x_m = 100.0;
+  EXPECT_EQ(refusal(scene), "accepted");
+}
+
+TEST(PlatformField, BadPiecesAreRefusedByName) {
+  SceneDef scene = pieces_scene();
+  for (Vec2& corner : scene.platform.piece[1].outline_m) corner.y -= 0.25;
+  EXPECT_NE(refusal(scene).find("platform.piece[1]: overlaps platform.piece[0] (by 0.25 m"), std::string::npos)
+      << refusal(scene);
+  scene = pieces_scene();
+  for (Vec2& corner : scene.platform.piece[1].outline_m) corner.y += 3.0;
+  EXPECT_EQ(refusal(scene), "accepted") << "pieces may stand apart";
+  scene.platform.piece[1].outline_m[1] = {8.0, 16.0};
+  EXPECT_NE(refusal(scene).find("platform.piece[1].outline_m: vertex 1"), std::string::npos) << refusal(scene);
+}
+
 }  // namespace
 }  // namespace gem

@@ -121,7 +121,7 @@ Picture::Picture(const RunFile& file, FilmPoses& poses)
       lines_(file, stored_scene(file)),
       outlines_(file.floe_outlines()),
       fixed_(file.boundary_outlines()),
-      platform_(file.platform_outline()),
+      platform_(file.platform_pieces()),
       title_(file.attribute("title").substr(0, 60)),
       first_floe_(static_cast<std::size_t>(contacts_.first_floe())),
       holder_(holder_of(stored_scene(file))),
@@ -132,8 +132,9 @@ Picture::Picture(const RunFile& file, FilmPoses& poses)
     throw Error(ExitCode::file_system, "cannot read " + shown(file.path()) + " (" + std::to_string(outlines_.size()) +
                                            " outlines for " + std::to_string(file.floe_count()) +
                                            " floes) the file may be damaged");
-  for (const Vec2 p : platform_)
-    if (std::isfinite(length(p))) diameter_ = std::max(diameter_, 2.0 * length(p));
+  for (const std::vector<Vec2>& piece : platform_)
+    for (const Vec2 p : piece)
+      if (std::isfinite(length(p))) diameter_ = std::max(diameter_, 2.0 * length(p));
 }
 
 Window Picture::whole_field(double time, const Canvas& canvas) {
@@ -216,9 +217,11 @@ void Picture::draw_lines(Canvas& canvas, const Window& window, double time) cons
 void Picture::draw_platform(Canvas& canvas, const Window& window, double time) const {
   if (!poses_.has_platform()) return;
   const PlatformPose pose = poses_.platform_at(time);
-  const std::vector<Vec2> corners = placed_pixels(canvas, window, platform_, pose.position, pose.angle);
-  canvas.fill(corners, hull);
-  canvas.line(corners, 1.5, ink, true);
+  for (const std::vector<Vec2>& piece : platform_) {
+    const std::vector<Vec2> corners = placed_pixels(canvas, window, piece, pose.position, pose.angle);
+    canvas.fill(corners, hull);
+    canvas.line(corners, 1.5, ink, true);
+  }
   const double metres = diameter_ / largest_load_;
   const auto show = [&](Vec2 force, Colour colour) {
     if (!std::isfinite(force.x + force.y)) return;

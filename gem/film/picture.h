@@ -41,8 +41,8 @@ class Picture {
   ContactRecord contacts_;
   DrawnLines lines_;
   std::vector<std::vector<Vec2>> outlines_, fixed_;
-  std::vector<Vec2> platform_;
-  std::vector<FloePose> floes_;  // of the picture that is drawn
+  std::vector<std::vector<Vec2>> platform_;  // pieces
+  std::vector<FloePose> floes_;              // of the picture that is drawn
   std::string title_;
   std::size_t first_floe_;
   std::string holder_;     // what the platform is held by

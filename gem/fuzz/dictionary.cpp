@@ -28,6 +28,7 @@ int main() {
   collect(words, gem::scene_options());
   collect(words, gem::ice_class_options());
   collect(words, gem::floe_options());
+  collect(words, gem::platform_piece_options());
   collect(words, gem::thruster_options());
   collect(words, gem::fixed_options());
   for (const std::string& word : words) std::cout << '"' << word << "\"\n";

@@ -56,6 +56,25 @@ PolygonMoments polygon_moments(const std::vector<Vec2>& outline) {
   return {area, origin + centre, second / 12.0 - area * dot(centre, centre)};
 }
 
+PolygonMoments moments_of_all(const std::vector<std::vector<Vec2>>& outlines) {
+  if (outlines.size() == 1) return polygon_moments(outlines.front());
+  PolygonMoments all;
+  Vec2 first;
+  std::vector<PolygonMoments> each;
+  for (const std::vector<Vec2>& outline : outlines) {
+    each.push_back(polygon_moments(outline));
+    all.area += each.back().area;
+    first += each.back().area * each.back().centroid;
+  }
+  if (!(all.area > 0.0)) return {};
+  all.centroid = (1.0 / all.area) * first;
+  for (const PolygonMoments& one : each) {
+    const Vec2 arm = one.centroid - all.centroid;
+    all.second_moment += one.second_moment + one.area * dot(arm, arm);
+  }
+  return all;
+}
+
 int first_non_convex_vertex(const std::vector<Vec2>& outline) {
   const std::size_t n = outline.size();
   double turned = 0.0;

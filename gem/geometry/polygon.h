@@ -17,6 +17,9 @@ struct PolygonMoments {
 /// Sums are taken about the first vertex, so that an outline far from the origin loses no digits.
 PolygonMoments polygon_moments(const std::vector<Vec2>& outline);
 
+/// The same of outlines that do not overlap, together. The second moment is about the common centroid.
+PolygonMoments moments_of_all(const std::vector<std::vector<Vec2>>& outlines);
+
 /// Index of the first vertex where a counter-clockwise outline does not turn left; -1 if it is strictly convex and
 /// simple.
 int first_non_convex_vertex(const std::vector<Vec2>& outline);

@@ -22,8 +22,11 @@ double unwrapped(Rotation q, double before) {
   return before + step - turn * std::round(step / turn);
 }
 
-std::vector<Vec2> platform_corners(const Bodies& b) {
-  return {b.vertex.begin(), b.vertex.begin() + b.vertex_begin[first_fixed(b)]};
+std::vector<std::vector<Vec2>> platform_outlines(const Bodies& b) {
+  std::vector<std::vector<Vec2>> pieces;
+  for (std::size_t i = 0; i < first_fixed(b); ++i)
+    pieces.emplace_back(b.vertex.begin() + b.vertex_begin[i], b.vertex.begin() + b.vertex_begin[i + 1]);
+  return pieces;
 }
 
 double kinetic_energy(const Bodies& b) {
@@ -51,12 +54,14 @@ Recorder::Recorder(const SceneDef& scene, Engine& engine)
       has_platform_(scene.platform.present),
       has_contacts_(scene.output.contact_forces),
       has_hits_(scene.output.platform_events),
+      further_pieces_(platform_bodies(engine.bodies()) - 1),
       platform_(scene.output.platform_interval_s, time_step_),
       frames_(scene.output.floes_interval_s, time_step_),
       window_steps_(
           static_cast<std::size_t>(std::max<std::int64_t>(1, std::llround(scene.output.force_window_s / time_step_)))),
       hits_({scene.output.hit_release_s, scene.output.event_speed_m_per_s, scene.output.force_window_s}, time_step_),
-      sides_(scene.output.side_loads && has_platform_ ? platform_corners(engine.bodies()) : std::vector<Vec2>{}),
+      sides_(scene.output.side_loads && has_platform_ ? platform_outlines(engine.bodies())
+                                                      : std::vector<std::vector<Vec2>>{}),
       lines_(scene),
       thrusters_(scene) {
   if (has_platform_) record_start(scene, engine.bodies());
@@ -233,7 +238,19 @@ void Recorder::restore(const RecorderState& state) {
   slab_ = {};
 }
 
+/// Gives the bodies in the rows the numbers of recorded_body().
+void Recorder::number_as_in_files() {
+  const auto number = [&](std::int32_t& body) {
+    if (body >= 0) body = std::max(0, body - further_pieces_);
+  };
+  for (Hit& hit : slab_.events) number(hit.first.body_a), number(hit.first.body_b);
+  for (ContactRow& row : slab_.contacts) number(row.contact.a), number(row.contact.b);
+  for (SplitEvent& split : slab_.splits)
+    for (std::int32_t* body : {&split.split.floe, &split.split.piece[0], &split.split.piece[1]}) number(*body);
+}
+
 Slab Recorder::take() {
+  if (further_pieces_ > 0) number_as_in_files();
   now_.hits_taken += static_cast<std::int64_t>(slab_.events.size());
   slab_.time = double(now_.step) * time_step_;
   return std::exchange(slab_, Slab{});

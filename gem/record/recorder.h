@@ -96,11 +96,13 @@ class Recorder {
   void keep_frame(const Bodies& bodies);
   void keep_stats(Engine& engine, double wall_time);
   void keep_contacts(Engine& engine);
+  void number_as_in_files();
 
   double time_step_;
   bool has_platform_;
-  bool has_contacts_;  // the forces between bodies are recorded
-  bool has_hits_;      // events are recorded
+  bool has_contacts_;            // the forces between bodies are recorded
+  bool has_hits_;                // events are recorded
+  std::int32_t further_pieces_;  // of the platform: bodies that files do not count
   Cadence platform_;
   Cadence frames_;
   std::size_t window_steps_;

@@ -9,11 +9,18 @@
 
 namespace gem {
 
-std::size_t first_fixed(const Bodies& bodies) { return std::min<std::size_t>(1, bodies.count()); }
+std::size_t first_fixed(const Bodies& bodies) {
+  return std::min(static_cast<std::size_t>(platform_bodies(bodies)), bodies.count());
+}
 
 std::size_t first_floe(const Bodies& bodies) {
   const auto found = std::find(bodies.kind.begin(), bodies.kind.end(), BodyKind::floe);
   return static_cast<std::size_t>(found - bodies.kind.begin());
+}
+
+std::int32_t recorded_body(const Bodies& bodies, std::int32_t body) {
+  const std::int32_t more = platform_bodies(bodies) - 1;
+  return body < 0 ? body : std::max(0, body - more);
 }
 
 const std::vector<RowColumn<PlatformRow>>& platform_columns() {

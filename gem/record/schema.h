@@ -145,7 +145,15 @@ std::vector<Column> schema(const SceneDef& scene);
 /// Whether floes may split in this scene.
 inline bool records_splits(const SceneDef& scene) { return scene.breakup.maximum_pieces > 0; }
 
-/// Number of bodies by kind. The order is: platform (body 0), fixed bodies, floes.
+/// Whether the platform of this scene is given as pieces.
+inline bool has_pieces(const SceneDef& scene) {
+  return scene.platform.present && scene.platform.outline == PlatformOutline::pieces;
+}
+
+/// Number of a body in files, where all pieces of the platform are body 0; negative numbers stay.
+std::int32_t recorded_body(const Bodies& bodies, std::int32_t body);
+
+/// First body of a kind. The order is: the platform or its pieces, fixed bodies, floes.
 std::size_t first_fixed(const Bodies& bodies);
 std::size_t first_floe(const Bodies& bodies);
 

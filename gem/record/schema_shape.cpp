@@ -53,7 +53,7 @@ std::vector<ShapeColumn> shape_columns(const SceneDef& scene) {
     return ShapeColumn{{"shape", name, "floe", stored, units, long_name, flags}, std::move(values)};
   };
   using B = Bodies;
-  return {
+  std::vector<ShapeColumn> columns = {
       {{"shape", "vertex_xy", "vertex xy", Stored::f8, "m", "outlines about the centroid, counter-clockwise", ""},
        [](const B& b) { return outlines(b, first_floe(b), b.count(), false); }},
       floe("vertex_count", Stored::i4, "1", "vertices of each floe in vertex_xy",
@@ -82,6 +82,13 @@ std::vector<ShapeColumn> shape_columns(const SceneDef& scene) {
          return per_body(first_fixed(b), first_floe(b), [&](std::size_t i) { return double(b.vertex_count(i)); });
        }},
   };
+  if (has_pieces(scene))
+    columns.push_back({{"shape", "platform_first", "platform_piece", Stored::i4, "1",
+                        "first corner of each convex piece of the platform in platform_xy", ""},
+                       [](const B& b) {
+                         return per_body(0, first_fixed(b), [&](std::size_t i) { return double(b.vertex_begin[i]); });
+                       }});
+  return columns;
 }
 
 }  // namespace gem

@@ -19,8 +19,11 @@ class SideLoads {
  public:
   /// `outline` is that of the platform, about its centre; empty: nothing is summed.
   explicit SideLoads(std::vector<Vec2> outline);
+  /// The same of a platform of several pieces: their sides count on from piece to piece. Sides along joints get
+  /// nothing.
+  explicit SideLoads(std::vector<std::vector<Vec2>> pieces);
 
-  std::size_t sides() const { return outline_.size(); }
+  std::size_t sides() const { return sums_.normal.size(); }
   /// Adds a row of the log of a time step; `place` and `rotation` of the platform are those of the end of the step.
   void add(const ContactEvent& row, Vec2 place, Rotation rotation);
   /// Appends the sums to the rows of a file and starts anew.
@@ -29,7 +32,10 @@ class SideLoads {
   void restore(const SideSums& sums) { sums_ = sums; }
 
  private:
-  std::vector<Vec2> outline_;
+  void clear();
+
+  std::vector<std::vector<Vec2>> pieces_;
+  std::vector<std::size_t> first_;  // side of each piece
   SideSums sums_;
 };
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "gem/engine/contact_key.h"
+#include "gem/record/schema.h"
 
 namespace gem {
 namespace {
@@ -20,10 +21,12 @@ bool outlines_fit(const Bodies& b) {
          std::is_sorted(b.vertex_begin.begin(), b.vertex_begin.end());
 }
 
-/// The platform, then fixed bodies, then floes.
+/// The platform or its pieces, then fixed bodies, then floes. Only the first piece has mass.
 bool kinds_fit(const Bodies& b) {
+  for (std::size_t i = 1; i < b.count() && b.kind[i] == BodyKind::platform; ++i)
+    if (b.mass[i] != 0.0 || b.inertia[i] != 0.0) return false;
   return b.kind.front() == BodyKind::platform && std::is_sorted(b.kind.begin(), b.kind.end()) &&
-         std::count(b.kind.begin(), b.kind.end(), BodyKind::platform) == 1 && b.kind.back() <= BodyKind::floe;
+         b.kind.back() <= BodyKind::floe;
 }
 
 bool impulses_fit(const EngineState& e) {
@@ -46,7 +49,7 @@ bool loads_fit(const EngineState& e) {
 /// A side for each corner of the platform, or none.
 bool sides_fit(const Checkpoint& c) {
   const SideSums& sums = c.recorder.sides;
-  const auto corners = static_cast<std::size_t>(c.engine.bodies.vertex_count(0));
+  const auto corners = static_cast<std::size_t>(c.engine.bodies.vertex_begin[first_fixed(c.engine.bodies)]);
   const Slab& rows = c.position.waiting;
   if (sums.normal.empty()) return sums.friction.empty() && rows.side_normal.empty() && rows.side_friction.empty();
   const std::size_t values = rows.platform.size() * corners;

@@ -57,6 +57,23 @@ std::vector<Vec2> counter_clockwise(std::vector<Vec2> outline) {
   return outline;
 }
 
+std::vector<std::vector<Vec2>> centred_pieces(const PlatformDef& platform) {
+  std::vector<std::vector<Vec2>> pieces;
+  for (const PlatformPieceDef& piece : platform.piece)
+    if (!piece.outline_m.empty()) pieces.push_back(counter_clockwise(piece.outline_m));
+  const PolygonMoments moments = pieces.empty() ? PolygonMoments{} : moments_of_all(pieces);
+  if (!(moments.area > 0.0)) return pieces;
+  for (std::vector<Vec2>& piece : pieces)
+    for (Vec2& corner : piece) corner -= moments.centroid;
+  return pieces;
+}
+
+std::vector<Vec2> joined(const std::vector<std::vector<Vec2>>& pieces) {
+  std::vector<Vec2> corners;
+  for (const std::vector<Vec2>& piece : pieces) corners.insert(corners.end(), piece.begin(), piece.end());
+  return corners;
+}
+
 std::vector<Vec2> centred(std::vector<Vec2> outline) {
   const PolygonMoments moments = polygon_moments(outline);
   if (!(moments.area > 0.0)) return outline;
@@ -72,11 +89,27 @@ std::vector<Vec2> platform_outline(const PlatformDef& platform) {
       return centred(ship_outline(platform));
     case PlatformOutline::listed:
       return platform.outline_m.empty() ? platform.outline_m : centred(counter_clockwise(platform.outline_m));
+    case PlatformOutline::pieces:
+      return joined(centred_pieces(platform));
     case PlatformOutline::regular:
       break;
   }
   return regular_outline(platform);
 }
+
+std::vector<std::vector<Vec2>> platform_pieces(const PlatformDef& platform) {
+  if (platform.outline == PlatformOutline::pieces) return centred_pieces(platform);
+  return {platform_outline(platform)};
+}
+
+namespace {
+
+PolygonMoments platform_moments(const PlatformDef& platform) {
+  const std::vector<std::vector<Vec2>> pieces = platform_pieces(platform);
+  return pieces.empty() || pieces.front().empty() ? PolygonMoments{} : moments_of_all(pieces);
+}
+
+}  // namespace
 
 std::vector<std::string> platform_side_names(const PlatformDef& platform) {
   if (platform.outline != PlatformOutline::ship) return {};
@@ -93,15 +126,13 @@ std::vector<std::string> platform_side_names(const PlatformDef& platform) {
 }
 
 double platform_area(const PlatformDef& platform) {
-  const std::vector<Vec2> outline = platform_outline(platform);
-  const double area = outline.empty() ? 0.0 : polygon_moments(outline).area;
+  const double area = platform_moments(platform).area;
   return area > 0.0 ? area : 0.0;
 }
 
 double platform_inertia(const PlatformDef& platform) {
   if (platform.inertia_kg_m2 > 0.0) return platform.inertia_kg_m2;
-  const std::vector<Vec2> outline = platform_outline(platform);
-  const PolygonMoments moments = outline.empty() ? PolygonMoments{} : polygon_moments(outline);
+  const PolygonMoments moments = platform_moments(platform);
   return moments.area > 0.0 ? platform.mass_kg * (moments.second_moment / moments.area) : 0.0;
 }
 

@@ -14,7 +14,7 @@
 namespace gem {
 
 enum class Yaw { free, locked };
-enum class PlatformOutline { regular, ship, listed };
+enum class PlatformOutline { regular, ship, listed, pieces };
 enum class Placement { random, tiled };
 enum class FloeSource { generated, copied, file, listed };
 enum class ConcaveFloes { refuse, cut, hull };
@@ -70,6 +70,11 @@ struct BoundaryDef {
   double outlet_x_m = 60.0;
 };
 
+/// A convex piece of a platform, in the axes of the platform (any origin, either direction).
+struct PlatformPieceDef {
+  std::vector<Vec2> outline_m;
+};
+
 struct PlatformDef {
   bool present = true;
   PlatformOutline outline = PlatformOutline::regular;
@@ -77,9 +82,10 @@ struct PlatformDef {
   double diameter_m = 100.0;  ///< of the circle through the corners
   double length_m = 200.0;    ///< of a ship, over all
   double beam_m = 40.0;
-  double bow_length_m = 50.0;    ///< from the stem to where the sides are parallel; 0: a flat bow
-  double stern_length_m = 30.0;  ///< from the end of the parallel sides to the transom; 0: all of it parallel
-  std::vector<Vec2> outline_m;   ///< for `listed`: convex, any origin, either direction
+  double bow_length_m = 50.0;           ///< from the stem to where the sides are parallel; 0: a flat bow
+  double stern_length_m = 30.0;         ///< from the end of the parallel sides to the transom; 0: all of it parallel
+  std::vector<Vec2> outline_m;          ///< for `listed`: convex, any origin, either direction
+  std::vector<PlatformPieceDef> piece;  ///< for `pieces`: they move together
   double mass_kg = 1e8;
   Vec2 anchor_m = {0.0, 0.0};
   Vec2 start_offset_m = {0.0, 0.0};

@@ -175,11 +175,12 @@ TEST_P(CudaDrive, DynamicPositioningGivesTheBitsOfTheCpuEngine) {
 INSTANTIATE_TEST_SUITE_P(Solvers, CudaDrive, testing::Values(ContactSolver::independent, ContactSolver::coupled),
                          test::LawNames());
 
-/// A ship with heading control, a fixed one, and one with water drag by axis, by both routes.
+/// A ship with heading control, a fixed one, one with water drag by axis, and one with added mass, by both routes.
 class CudaShip : public OnGpu, public testing::WithParamInterface<ContactSolver> {};
 
 TEST_P(CudaShip, GivesTheBitsOfTheCpu) {
-  for (SceneDef scene : {test::ship_scene(8, false), test::ship_scene(8, true), test::dragged_ship_scene(8)})
+  for (SceneDef scene : {test::ship_scene(8, false), test::ship_scene(8, true), test::dragged_ship_scene(8),
+                         test::ship_scene_with_added_mass(8)})
     for (const Route route : {Route::resident, Route::phases}) {
       scene.contact.solver = GetParam();
       BesideCpu both(scene, route);

@@ -1,4 +1,4 @@
-// Added mass of a ship against closed form: V97, V98, V99.
+// Added mass of a ship against closed form: V102, V103, V104.
 #include <cmath>
 
 #include "validation/verification/scenes.h"
@@ -58,12 +58,12 @@ void check_swing(const std::string& name, Vec2 axis, double moved_mass, const Se
   expect_closed_books(run, 1e-12, mass * omega * start_offset);
 }
 
-TEST_P(AddedMassCase, V97_a_moored_ship_swings_with_the_mass_of_its_axis) {
-  check_swing("V97.surge", {1.0, 0.0}, surge_mass, setting(), where());
-  check_swing("V97.sway", {0.0, 1.0}, sway_mass, setting(), where());
+TEST_P(AddedMassCase, V102_a_moored_ship_swings_with_the_mass_of_its_axis) {
+  check_swing("V102.surge", {1.0, 0.0}, surge_mass, setting(), where());
+  check_swing("V102.sway", {0.0, 1.0}, sway_mass, setting(), where());
 }
 
-TEST_P(AddedMassCase, V97_a_turn_has_the_inertia_of_the_water) {
+TEST_P(AddedMassCase, V102_a_turn_has_the_inertia_of_the_water) {
   constexpr double stiffness = 1e8, turn = 0.05, dt = 0.2, duration = 600.0;
   SceneDef scene = ship_in_water(dt);
   scene.platform.start_yaw_rad = turn;
@@ -73,11 +73,11 @@ TEST_P(AddedMassCase, V97_a_turn_has_the_inertia_of_the_water) {
   const double omega = std::sqrt(stiffness / yaw_mass);
   // The yaw turns once in a time step, between its kicks.
   const double error = turn * (omega * dt) * (omega * dt) / 24.0 * omega * duration + 1e-9;
-  check_value("V97.turn", turn * std::cos(omega * duration), angle_of(run.bodies()) + yaw, error, "rad", where());
+  check_value("V102.turn", turn * std::cos(omega * duration), angle_of(run.bodies()) + yaw, error, "rad", where());
   expect_closed_books(run, 1e-12);
 }
 
-TEST_P(AddedMassCase, V98_a_ship_that_drifts_broadside_swings_about_it) {
+TEST_P(AddedMassCase, V103_a_ship_that_drifts_broadside_swings_about_it) {
   constexpr double drift = 0.5, dt = 0.5, amplitude = 1e-3;
   const double momentum = sway_mass * drift;
   const double omega = momentum * std::sqrt((1.0 / surge_mass - 1.0 / sway_mass) / yaw_mass);
@@ -90,19 +90,19 @@ TEST_P(AddedMassCase, V98_a_ship_that_drifts_broadside_swings_about_it) {
   for (int part = 1; part <= 6; ++part) {
     run.advance(300);
     const double phase = omega * 300.0 * dt * part;
-    check_value("V98.yaw", amplitude * std::sin(phase), angle_of(run.bodies()), amplitude * shared * (1.0 + phase),
+    check_value("V103.yaw", amplitude * std::sin(phase), angle_of(run.bodies()), amplitude * shared * (1.0 + phase),
                 "rad", where());
   }
   const Bodies& b = run.bodies();
   const double turned = angle_of(b) + yaw;
   const Vec2 v = rotate({std::cos(turned), -std::sin(turned)}, b.velocity[0]);
   const Vec2 kept = in_ship(in_world({surge_mass * v.x, sway_mass * v.y}, turned));
-  check_value("V98.momentum", momentum, kept.y, rounded * momentum, "N s", where());
-  check_value("V98.momentum.across", 0.0, kept.x, rounded * momentum, "N s", where());
+  check_value("V103.momentum", momentum, kept.y, rounded * momentum, "N s", where());
+  check_value("V103.momentum.across", 0.0, kept.x, rounded * momentum, "N s", where());
   expect_closed_books(run, 1e-12, mass * drift);
 }
 
-TEST_P(AddedMassCase, V98_a_ship_that_drifts_bow_first_turns_broadside) {
+TEST_P(AddedMassCase, V103_a_ship_that_drifts_bow_first_turns_broadside) {
   SceneDef scene = ship_in_water(0.5);
   scene.platform.start_velocity_m_per_s = in_world({0.5, 0.0});
   scene.platform.start_spin_rad_per_s = 1e-5;
@@ -116,7 +116,7 @@ TEST_P(AddedMassCase, V98_a_ship_that_drifts_bow_first_turns_broadside) {
   expect_closed_books(run, 1e-11, mass * 0.5);
 }
 
-TEST_P(AddedMassCase, V99_a_floe_meets_the_ship_and_then_its_water) {
+TEST_P(AddedMassCase, V104_a_floe_meets_the_ship_and_then_its_water) {
   constexpr double floe = 45000.0, speed = 0.5, together = floe * mass / (floe + mass);
   SceneDef scene = ship_in_water(0.1);
   scene.platform.start_yaw_rad = 0.0;
@@ -124,15 +124,15 @@ TEST_P(AddedMassCase, V99_a_floe_meets_the_ship_and_then_its_water) {
   Simulation run = start(scene, setting());
   run.advance(1);
   const double ship = together * speed / surge_mass;
-  check_value("V99.ship", ship, run.bodies().velocity[0].x, 1e-9 * ship, "m/s", where());
-  check_value("V99.floe", floe * speed / (floe + mass), run.bodies().velocity[1].x, 1e-9 * ship, "m/s", where());
-  check_value("V99.ice", together * speed, run.log.platform[0].ice_impulse.x, 1e-9 * together * speed, "N s", where());
+  check_value("V104.ship", ship, run.bodies().velocity[0].x, 1e-9 * ship, "m/s", where());
+  check_value("V104.floe", floe * speed / (floe + mass), run.bodies().velocity[1].x, 1e-9 * ship, "m/s", where());
+  check_value("V104.ice", together * speed, run.log.platform[0].ice_impulse.x, 1e-9 * together * speed, "N s", where());
   run.advance(2);
   // Each further time step leaves m a / (M + m) (M + a) of the difference of the speeds.
   const double left = floe / (floe + mass) * water.surge_kg / surge_mass;
   const double common = floe * speed / (floe + surge_mass);
-  check_value("V99.common", common, run.bodies().velocity[0].x, left * ship, "m/s", where());
-  check_value("V99.common.floe", common, run.bodies().velocity[1].x, left * ship, "m/s", where());
+  check_value("V104.common", common, run.bodies().velocity[0].x, left * ship, "m/s", where());
+  check_value("V104.common.floe", common, run.bodies().velocity[1].x, left * ship, "m/s", where());
   expect_closed_books(run, 1e-12, floe * speed);
 }
 

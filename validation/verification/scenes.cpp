@@ -165,7 +165,7 @@ Impact one_impact(const SceneDef& scene, const Setting& setting) {
   Simulation run = start(scene, setting);
   Impact impact;
   impact.before = run.bodies();
-  impact.first_floe = 1 + scene.fixed.size();
+  impact.first_floe = static_cast<std::size_t>(platform_bodies(impact.before)) + scene.fixed.size();
   run.advance(1);
   impact.after = run.bodies();
   impact.ledger = run.engine->ledger();

@@ -92,7 +92,8 @@ void CpuEngine::resolve_independent(ThreadTeam& team, int rank) {
     resolve_alone(f, *contacts[i]);
   });
   team.single(rank, [&] {
-    for (const Contact* contact : contacts) apply_impulses(f.bodies, *contact);
+    for (const Contact* contact : contacts) apply_impulses(f, *contact);
+    carry_pieces(f);
   });
 }
 

@@ -90,10 +90,10 @@ void PairList::fill_grid(const FieldState& f) {
 }
 
 void PairList::pairs_of_non_floes(const FieldState& f) {
-  const std::size_t n = f.bodies.count();
+  const std::size_t n = f.bodies.count(), pieces = static_cast<std::size_t>(f.constants.pieces);
   for (std::size_t a = 0; a < n && is_non_floe(f, a); ++a) {
     if (!f.bodies.active[a]) continue;
-    for (std::size_t b = a + 1; b < n; ++b) {
+    for (std::size_t b = std::max(a + 1, pieces); b < n; ++b) {
       if (!f.bodies.active[b] || (f.bodies.inverse_mass[a] == 0.0 && f.bodies.inverse_mass[b] == 0.0)) continue;
       if (near(a, b)) pairs_.push_back({static_cast<std::int32_t>(a), static_cast<std::int32_t>(b), {}});
     }
@@ -126,7 +126,8 @@ void PairList::pairs_of_floe(std::size_t i, Part& part) const {
 void PairList::note_trajectory(const FieldState& f) {
   trajectory_ = place_;
   velocity_ = f.bodies.velocity;
-  for (std::size_t i = 1; i < f.bodies.count() && is_non_floe(f, i); ++i) velocity_[i] = {};
+  for (auto i = static_cast<std::size_t>(f.constants.pieces); i < f.bodies.count() && is_non_floe(f, i); ++i)
+    velocity_[i] = {};
   horizon_ = f.constants.list_horizon;
   ahead_ = static_cast<double>(horizon_) * f.constants.dt;
   margin_ = f.constants.list_margin + f.constants.contact_margin;

@@ -96,7 +96,8 @@ TEST(DeviceDrive, GivesTheBitsOfTheCpuEngineOnBothRoutes) {
 
 TEST(DeviceShip, GivesTheBitsOfTheCpuEngineOnBothRoutes) {
   for (const bool phases : {false, true})
-    for (SceneDef scene : {test::ship_scene(7, false), test::ship_scene(7, true), test::dragged_ship_scene(7)})
+    for (SceneDef scene : {test::ship_scene(7, false), test::ship_scene(7, true), test::dragged_ship_scene(7),
+                           test::ship_scene_with_added_mass(7)})
       for (const ContactSolver solver : {ContactSolver::independent, ContactSolver::coupled}) {
         scene.contact.solver = solver;
         const auto cpu = test::busy_engine(scene, "cpu", 2);

@@ -34,9 +34,10 @@ void book_point(State& s, const Touch& touch, const TouchPoint& p) {
   s.ledger[Channel::friction].energy += impulse_work(p.impulse.tangential, p.tangential_before, after_t);
   book_fixed(s, touch, p);
   // the yaw lock of the platform takes this moment
-  if (touch.a == 0 && s.bodies.inverse_inertia[0] == 0.0)
+  const bool on_platform = s.bodies.kind[touch.a] == BodyKind::platform;
+  if (on_platform && s.bodies.inverse_inertia[0] == 0.0)
     s.ledger.mooring_force.angular_momentum += cross(p.arm_a, world_impulse(touch, p));
-  if (touch.a != 0 || s.bodies.inverse_mass[0] > 0.0) return;
+  if (!on_platform || s.bodies.inverse_mass[0] > 0.0) return;
   // a fixed platform hands everything on to the ground
   const Vec2 impulse = world_impulse(touch, p);
   s.mooring_impulse += impulse;
@@ -68,7 +69,7 @@ double sum_of_energies(const Ledger& ledger) {
 
 /// Whether the pair is the platform and a floe; a wall is not ice.
 bool is_ice_on_platform(const Bodies& b, const Touch& touch) {
-  return touch.a == 0 && b.kind[touch.b] == BodyKind::floe;
+  return b.kind[touch.a] == BodyKind::platform && b.kind[touch.b] == BodyKind::floe;
 }
 
 }  // namespace

@@ -45,12 +45,12 @@ double repair_target(const Rules& rules, const TouchPoint& p) {
   return std::min(-n.repair_share * p.separation, n.repair_speed_m_per_s * rules.dt);
 }
 
-std::vector<ProblemPoint> problem_points(const std::vector<Touch>& touches) {
+std::vector<ProblemPoint> problem_points(const Bodies& b, const std::vector<Touch>& touches) {
   std::vector<ProblemPoint> points;
   for (const Touch& touch : touches)
     for (const TouchPoint& p : touch.points)
-      points.push_back(
-          {touch.a, touch.b, touch.normal, p.arm_a, p.arm_b, p.target, p.cap, touch.friction, p.spare, p.last, p.rise});
+      points.push_back({owner_of(b, touch.a), touch.b, touch.normal, p.arm_a, p.arm_b, p.target, p.cap, touch.friction,
+                        p.spare, p.last, p.rise});
   return points;
 }
 
@@ -72,8 +72,8 @@ ContactImpulse impulse_of(const Rules& rules, const Bodies& b, const Touch& touc
 }
 
 /// Independent, two points of one pair are one event.
-void resolve_two_points(const Rules& rules, const std::vector<ProblemBody>& bodies, Touch& touch) {
-  std::vector<ProblemPoint> points = problem_points({touch});
+void resolve_two_points(const Rules& rules, const Bodies& b, const std::vector<ProblemBody>& bodies, Touch& touch) {
+  std::vector<ProblemPoint> points = problem_points(b, {touch});
   // the problem contains only this pair: bodies 0 and 1
   const std::vector<ProblemBody> pair{bodies[touch.a], bodies[touch.b]};
   for (ProblemPoint& point : points) {
@@ -87,7 +87,7 @@ void resolve_two_points(const Rules& rules, const std::vector<ProblemBody>& bodi
 /// Coupled: the smallest shifts that remove a share of every overlap and close no gap. There is no cap: an overlap from
 /// crushing is also repaired, since the outlines do not change.
 void find_repair(const Rules& rules, State& s, std::vector<Touch>& touches) {
-  std::vector<ProblemPoint> points = problem_points(touches);
+  std::vector<ProblemPoint> points = problem_points(s.bodies, touches);
   std::size_t at = 0;
   for (const Touch& touch : touches)
     for (const TouchPoint& p : touch.points) {
@@ -105,8 +105,9 @@ void find_repair(const Rules& rules, State& s, std::vector<Touch>& touches) {
       const Vec2 push = p.repair * touch.normal;
       s.repair_shift[touch.b] += s.bodies.inverse_mass[touch.b] * push;
       s.repair_turn[touch.b] += s.bodies.inverse_inertia[touch.b] * cross(p.arm_b, push);
-      s.repair_shift[touch.a] -= s.bodies.inverse_mass[touch.a] * push;
-      s.repair_turn[touch.a] -= s.bodies.inverse_inertia[touch.a] * cross(p.arm_a, push);
+      const std::int32_t a = owner_of(s.bodies, touch.a);
+      s.repair_shift[a] -= s.bodies.inverse_mass[a] * push;
+      s.repair_turn[a] -= s.bodies.inverse_inertia[a] * cross(p.arm_a, push);
     }
 }
 
@@ -127,10 +128,11 @@ void prepare_touches(const Rules& rules, const State& s, std::vector<Touch>& tou
   const Bodies& b = s.bodies;
   const Vec2 platform_shift = b.position[0] - s.platform_start;
   for (Touch& touch : touches) {
-    touch.friction = touch.a == 0 ? rules.scene.ice.friction_structure : rules.scene.ice.friction_ice;
+    const bool on_platform = b.kind[touch.a] == BodyKind::platform;
+    touch.friction = on_platform ? rules.scene.ice.friction_structure : rules.scene.ice.friction_ice;
     for (TouchPoint& p : touch.points) {
       // the platform has moved since the contact was found, the point has not
-      if (touch.a == 0) p.arm_a -= platform_shift;
+      if (on_platform) p.arm_a -= platform_shift;
       const Vec2 velocity = relative_velocity(b, touch, p);
       p.normal_before = dot(velocity, touch.normal);
       p.tangential_before = dot(velocity, turned_left(touch.normal));
@@ -152,7 +154,7 @@ void resolve_alone(const Rules& rules, const State& s, std::vector<Touch>& touch
     if (touch.points.size() == 1)
       touch.points[0].impulse = impulse_of(rules, s.bodies, touch, touch.points[0]);
     else
-      resolve_two_points(rules, bodies, touch);
+      resolve_two_points(rules, s.bodies, bodies, touch);
     for (TouchPoint& p : touch.points) {
       const double asked = p.target + std::max(-p.normal_before, 0.0);
       if (p.target > 0.0 && asked > 0.0) p.elastic = p.impulse.normal * (p.target / asked);
@@ -162,7 +164,7 @@ void resolve_alone(const Rules& rules, const State& s, std::vector<Touch>& touch
 
 void resolve_together(const Rules& rules, State& s, std::vector<Touch>& touches, StepQuality& quality) {
   const ContactSolution solution =
-      solve_contacts(problem_points(touches), problem_bodies(s.bodies), rules.scene.contact.friction_law);
+      solve_contacts(problem_points(s.bodies, touches), problem_bodies(s.bodies), rules.scene.contact.friction_law);
   quality.residual = solution.residual;
   quality.iterations = solution.steps;
   std::size_t at = 0;
@@ -181,9 +183,11 @@ void apply_impulses(const Rules& rules, State& s, const std::vector<Touch>& touc
       const Vec2 impulse = world_impulse(touch, p);
       b.velocity[touch.b] += b.inverse_mass[touch.b] * impulse;
       b.spin[touch.b] += b.inverse_inertia[touch.b] * cross(p.arm_b, impulse);
-      b.velocity[touch.a] -= b.inverse_mass[touch.a] * impulse;
-      b.spin[touch.a] -= b.inverse_inertia[touch.a] * cross(p.arm_a, impulse);
+      const std::int32_t a = owner_of(b, touch.a);
+      b.velocity[a] -= b.inverse_mass[a] * impulse;
+      b.spin[a] -= b.inverse_inertia[a] * cross(p.arm_a, impulse);
     }
+  s.carry_pieces();
 }
 
 }  // namespace gem::reference

@@ -33,7 +33,7 @@ void ReferenceEngine::advance(std::int64_t steps, StepLog& log) {
 void ReferenceEngine::one_step(StepLog& log) {
   state_.begin_step(rules_);
   std::vector<reference::Touch> touches =
-      reference::all_touches(state_.bodies, rules_.scene.contact.manifold, rules_.contact_margin);
+      reference::all_touches(state_.bodies, rules_.piece_corner, rules_.scene.contact.manifold, rules_.contact_margin);
   drive_floes(rules_, state_);
   move_platform_before(rules_, state_);
 

@@ -62,7 +62,7 @@ ContactEvent event_of(const Rules& rules, const State& s, const Touch& touch, do
 void log_platform_events(const Rules& rules, const State& s, const std::vector<Touch>& touches, StepLog& log) {
   if (!log.wants_events) return;
   for (const Touch& touch : touches) {
-    if (touch.a != 0 || s.bodies.kind[touch.b] != BodyKind::floe) continue;
+    if (s.bodies.kind[touch.a] != BodyKind::platform || s.bodies.kind[touch.b] != BodyKind::floe) continue;
     double pressed = 0.0;
     for (const TouchPoint& p : touch.points) pressed += p.impulse.normal;
     if (pressed > 0.0) log.events.push_back(event_of(rules, s, touch, pressed));

@@ -295,6 +295,7 @@ void move_platform_before(const Rules& rules, State& s) {
   steer(rules, s, true);
   turn_in_water(rules, s, nullptr);
   s.before_contacts = speed_of_platform(s);
+  s.carry_pieces();
 }
 
 void move_platform_after(const Rules& rules, State& s) {
@@ -315,6 +316,7 @@ void move_platform_after(const Rules& rules, State& s) {
   steer(rules, s, false);
   thrust(rules, s, false);
   run_free(rules, s);
+  s.carry_pieces();
 }
 
 void move_floes(const Rules& rules, State& s) {

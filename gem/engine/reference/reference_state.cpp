@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "gem/events/platform_drag.h"
+#include "gem/field/platform_pieces.h"
 #include "gem/scene/platform_shape.h"
 #include "gem/scene/scene_bounds.h"
 #include "gem/scene/scene_drive.h"
@@ -22,6 +23,7 @@ double fastest_of(const SceneDef& scene) {
 Rules rules_of(const SceneDef& scene, const Bodies& bodies) {
   Rules rules;
   rules.scene = scene;
+  if (platform_bodies(bodies) > 1) rules.piece_corner = corners_of_pieces(bodies);
   rules.dt = scene.numerics.time_step_s;
   rules.drives = drive_schedule(scene);
   const double reach = scene.numerics.contact_reach, fastest = fastest_of(scene);
@@ -67,6 +69,15 @@ void State::begin_step(const Rules& rules) {
   repair_turn.assign(count, 0.0);
   platform_start = bodies.position[0];
   mooring_impulse = drag_impulse = {};
+}
+
+void State::carry_pieces() {
+  for (std::size_t i = 1; i < bodies.count() && bodies.kind[i] == BodyKind::platform; ++i) {
+    bodies.position[i] = bodies.position[0];
+    bodies.rotation[i] = bodies.rotation[0];
+    bodies.velocity[i] = bodies.velocity[0];
+    bodies.spin[i] = bodies.spin[0];
+  }
 }
 
 }  // namespace gem::reference

@@ -6,6 +6,7 @@
 
 #include "gem/engine/engine.h"
 #include "gem/events/events.h"
+#include "gem/geometry/piece_joints.h"
 
 namespace gem::reference {
 
@@ -21,12 +22,13 @@ struct Rules {
   double stiffness = 0.0;           // of the mooring; 0 without platform [N/m]
   double platform_drag_rate = 0.0;  // of the round law [1/m]; 0: none
   AxisDrag axis_drag;
-  double platform_wind_rate = 0.0;  // [1/m]; 0: none
-  DriveSchedule drives;             // of each time step
-  MooringTables mooring;            // of the laws in events.moored
-  DpLaw dp;                         // without thrusters: none
-  double tow_rate = 0.0;            // of a ship in transit [1/s]; 0: none
-  ThrustLaw thrust;                 // of one that runs free
+  double platform_wind_rate = 0.0;        // [1/m]; 0: none
+  DriveSchedule drives;                   // of each time step
+  MooringTables mooring;                  // of the laws in events.moored
+  DpLaw dp;                               // without thrusters: none
+  double tow_rate = 0.0;                  // of a ship in transit [1/s]; 0: none
+  ThrustLaw thrust;                       // of one that runs free
+  std::vector<PieceCorner> piece_corner;  // joints of a platform of several pieces
 
   bool coupled() const { return scene.contact.solver == ContactSolver::coupled; }
 };
@@ -54,6 +56,8 @@ struct State {
 
   /// Clears the data of the last time step.
   void begin_step(const Rules& rules);
+  /// Gives the pieces of the platform the place and the motion of body 0.
+  void carry_pieces();
 };
 
 }  // namespace gem::reference

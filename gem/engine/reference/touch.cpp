@@ -20,9 +20,10 @@ Separation separating_axis(const Outline& a, const Outline& b, Vec2 offset) {
   return best;
 }
 
-/// Whether both bodies are active and at least one can move.
+/// Whether both bodies are active, at least one can move, and they are not two pieces of the platform.
 bool may_touch(const Bodies& b, std::size_t i, std::size_t j) {
-  return b.active[i] && b.active[j] && (b.inverse_mass[i] > 0.0 || b.inverse_mass[j] > 0.0);
+  return b.active[i] && b.active[j] && b.kind[j] != BodyKind::platform &&
+         (b.inverse_mass[i] > 0.0 || b.inverse_mass[j] > 0.0);
 }
 
 Touch touch_of(std::size_t a, std::size_t b, const ContactGeometry& geometry, Vec2 offset) {
@@ -57,7 +58,8 @@ TurnedOutline turned_outline(const Bodies& bodies, std::size_t i) {
   return outline;
 }
 
-std::vector<Touch> all_touches(const Bodies& bodies, Manifold manifold, double margin) {
+std::vector<Touch> all_touches(const Bodies& bodies, const std::vector<PieceCorner>& corners, Manifold manifold,
+                               double margin) {
   std::vector<TurnedOutline> outline;
   for (std::size_t i = 0; i < bodies.count(); ++i) outline.push_back(turned_outline(bodies, i));
   std::vector<Touch> touches;
@@ -68,11 +70,17 @@ std::vector<Touch> all_touches(const Bodies& bodies, Manifold manifold, double m
       const double reach = bodies.radius[a] + bodies.radius[b] + margin;
       if (dot(offset, offset) > reach * reach) continue;
       const Outline view_a = outline[a].view(), view_b = outline[b].view();
-      const Separation axis = separating_axis(view_a, view_b, offset);
+      Separation axis = separating_axis(view_a, view_b, offset);
       if (!(axis.distance < margin)) continue;
+      PieceAxis is = PieceAxis::outer;
+      if (!corners.empty() && bodies.kind[a] == BodyKind::platform && manifold == Manifold::chord_ends)
+        is = find_outer_axis(view_a, &corners[static_cast<std::size_t>(bodies.vertex_begin[a])], bodies.rotation[a],
+                             view_b, offset, axis);
+      if (is == PieceAxis::none) continue;
       const ContactGeometry geometry = manifold == Manifold::chord_middle
                                            ? chord_contact(view_a, view_b, offset, axis)
                                            : face_contact(view_a, view_b, offset, axis, margin);
+      if (is == PieceAxis::replaced && !(geometry.width > 0.0)) continue;
       if (geometry.count > 0) touches.push_back(touch_of(a, b, geometry, offset));
     }
   return touches;

@@ -10,11 +10,15 @@
 #include "gem/events/impact.h"
 #include "gem/field/bodies.h"
 #include "gem/geometry/convex_contact.h"
+#include "gem/geometry/piece_axis.h"
 #include "gem/scene/scene_def.h"
 
 namespace gem::reference {
 
 inline CollisionMass mass_of(const Bodies& b, std::int32_t i) { return {b.inverse_mass[i], b.inverse_inertia[i]}; }
+
+/// The body that takes the impulses of body i: body 0 of all pieces of the platform.
+inline std::int32_t owner_of(const Bodies& b, std::int32_t i) { return b.kind[i] == BodyKind::platform ? 0 : i; }
 
 /// One point of a touch. "Tangential" is along the normal turned left. Impulses act on B; A gets the opposite.
 struct TouchPoint {
@@ -55,7 +59,9 @@ struct TurnedOutline {
 /// Outline of body `i` at its current position.
 TurnedOutline turned_outline(const Bodies& bodies, std::size_t i);
 
-/// All pairs that are closer than `margin` [m], ascending in (a, b). Two fixed bodies never touch.
-std::vector<Touch> all_touches(const Bodies& bodies, Manifold manifold, double margin);
+/// All pairs that are closer than `margin` [m], ascending in (a, b). Two fixed bodies never touch, nor do two pieces of
+/// the platform. `corners` are the joints of the pieces: corners_of_pieces(), or none for a platform of one piece.
+std::vector<Touch> all_touches(const Bodies& bodies, const std::vector<PieceCorner>& corners, Manifold manifold,
+                               double margin);
 
 }  // namespace gem::reference

@@ -1,6 +1,7 @@
 #include "gem/engine/solver/coupled_layout.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace gem {
 
@@ -17,6 +18,8 @@ void CoupledLayout::count_points(const FieldState& f, Contacts contacts) {
     points_of_[contact.b] += contact.count;
     points_as_b_[contact.b] += contact.count;
   }
+  // the owner of the pieces of the platform has the points of all
+  for (std::int32_t i = 1; i < f.constants.pieces; ++i) points_of_[0] += std::exchange(points_of_[i], 0);
 }
 
 /// Finds the moving bodies and divides bodies and points among the threads.
@@ -79,6 +82,10 @@ void CoupledLayout::order_bodies(const FieldState& f) {
   for (std::int32_t k = 1; k <= count; ++k) {
     entry_of_[body_[k]] = k;
     begin_as_b_.push_back(begin_as_b_.back() + points_as_b_[body_[k]]);
+  }
+  for (std::int32_t i = 1; i < f.constants.pieces; ++i) {
+    points_of_[i] = points_of_[0];
+    entry_of_[i] = entry_of_[0];
   }
 }
 

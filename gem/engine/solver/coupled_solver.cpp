@@ -15,6 +15,7 @@
 #include "gem/engine/solver/iteration_control.h"
 #include "gem/engine/step/contact_stages.h"
 #include "gem/engine/step/ordered_sum.h"
+#include "gem/engine/step/solo_stages.h"
 
 namespace gem {
 
@@ -293,6 +294,7 @@ void CoupledSolver::settle(FieldState& f, Contacts contacts, ThreadTeam& team, i
   team.single(rank, [&] {
     quality.iterations = iterations_;
     quality.residual = residual_;
+    carry_pieces(f);
     keys_.swap(next_keys_);
     memory_.swap(next_memory_);
   });

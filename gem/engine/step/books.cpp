@@ -163,7 +163,7 @@ void log_events(const FieldState& f, Contacts contacts, std::int64_t step, StepL
   const double time = static_cast<double>(step) * f.constants.dt;
   for (const Contact* at : contacts) {
     const Contact& contact = *at;
-    if (contact.a != 0) break;
+    if (!f.constants.is_platform(contact.a)) break;
     if (f.bodies.kind[contact.b] != BodyKind::floe) continue;  // a wall is not ice
     if (presses(contact)) log.events.push_back(event_of(contact, event_bodies(f, contact), time));
   }
@@ -186,7 +186,7 @@ void log_step(const FieldState& f, Contacts contacts, const PlatformImpulses& be
   p.drag_impulse = after.drag - before.drag;
   for (const Contact* at : contacts) {
     const Contact& contact = *at;
-    if (contact.a != 0) break;
+    if (!f.constants.is_platform(contact.a)) break;
     if (f.bodies.kind[contact.b] != BodyKind::floe) continue;  // a wall is not ice
     bool pressed = false;
     for (int k = 0; k < contact.count; ++k) {

@@ -34,8 +34,9 @@ void book_contact(FieldState& f, const Contact& contact, const ContactOutcome& o
   const std::int32_t a = outcome.a, b = outcome.b;
   const bool fixed_b = f.bodies.kind[b] == BodyKind::fixed;
   const bool on_fixed = fixed_b || f.bodies.kind[a] == BodyKind::fixed;
-  const bool on_locked = a == 0 && f.bodies.inverse_inertia[0] == 0.0;
-  const bool on_held = a == 0 && f.bodies.inverse_mass[0] == 0.0;
+  const bool on_platform = f.constants.is_platform(a);
+  const bool on_locked = on_platform && f.bodies.inverse_inertia[0] == 0.0;
+  const bool on_held = on_platform && f.bodies.inverse_mass[0] == 0.0;
   // Coupled: a body counts as struck if it has a contact within reach, whatever impulse the contact carries. If the
   // impulse decided, an impulse that is rounding in one run and zero in another would separate the two runs by 2e-5 m
   // per time step. A jump of that size remains only where a pair comes within reach.

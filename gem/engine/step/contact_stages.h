@@ -62,6 +62,9 @@ inline PairBodies pair_bodies(const Bodies& b, std::int32_t i, std::int32_t j) {
           crushed_thickness(b.kind[i], b.thickness[i], b.thickness[j])};
 }
 
+/// Geometry of a piece of the platform and another body, along the axes of find_contact().
+ContactGeometry piece_contact(const FieldState& f, std::int32_t a, std::int32_t b, const SeparatingAxes& axes);
+
 /// Narrow phase of one pair. Returns whether the pair touches; for `coupled`, whether it is closer than the contact
 /// margin. `axes` are the separating axes of an earlier test of the pair; the bodies have moved by at most `moved` [m]
 /// since, and the axes are updated. Fills the geometry of `contact` and sets all members that later stages add to to
@@ -73,7 +76,8 @@ inline bool find_contact(const FieldState& f, std::int32_t a, std::int32_t b, Se
   const Vec2 offset = f.bodies.position[b] - f.bodies.position[a];
   follow_axes(axes, outline_a, outline_b, offset, moved + motion_rounding, limit);
   if (!(axes.first.distance < limit)) return false;
-  const ContactGeometry geometry = f.constants.manifold == Manifold::chord_middle
+  const ContactGeometry geometry = !f.piece_corner.empty() && f.constants.is_platform(a) ? piece_contact(f, a, b, axes)
+                                   : f.constants.manifold == Manifold::chord_middle
                                        ? chord_contact(outline_a, outline_b, offset, axes.first)
                                        : face_contact(outline_a, outline_b, offset, axes.first, limit);
   if (geometry.count == 0) return false;
@@ -98,7 +102,7 @@ inline void prepare_contact(const FieldState& f, Contact& contact) {
   const Bodies& b = f.bodies;
   const std::int32_t i = contact.a, j = contact.b;
   Vec2 shift;
-  if (i == 0) shift = b.position[0] - f.platform_position;
+  if (f.constants.is_platform(i)) shift = b.position[0] - f.platform_position;
   prepare(f.constants, pair_bodies(b, i, j), shift, contact);
 }
 
@@ -129,18 +133,20 @@ inline void apply_repair(FieldState& f, std::size_t i, const BodyRepair& repair)
   f.repair_turn[i] = done.turn;
 }
 
-/// Applies an impulse to B and the opposite impulse to A.
-inline void apply_impulse(Bodies& b, const Contact& contact, const ContactSlot& slot, ContactImpulse p) {
+/// Applies an impulse to B and the opposite impulse to A; `a` is the owner of A.
+inline void apply_impulse(Bodies& b, std::int32_t a, const Contact& contact, const ContactSlot& slot,
+                          ContactImpulse p) {
   const Vec2 impulse = p.normal * contact.normal + p.tangential * turned_left(contact.normal);
   b.velocity[contact.b] += b.inverse_mass[contact.b] * impulse;
   b.spin[contact.b] += b.inverse_inertia[contact.b] * cross(slot.arm_b, impulse);
-  b.velocity[contact.a] -= b.inverse_mass[contact.a] * impulse;
-  b.spin[contact.a] -= b.inverse_inertia[contact.a] * cross(slot.arm_a, impulse);
+  b.velocity[a] -= b.inverse_mass[a] * impulse;
+  b.spin[a] -= b.inverse_inertia[a] * cross(slot.arm_a, impulse);
 }
 
 /// Applies all impulses of a contact.
-inline void apply_impulses(Bodies& b, const Contact& contact) {
-  for (int k = 0; k < contact.count; ++k) apply_impulse(b, contact, contact.slot[k], contact.slot[k].impulse);
+inline void apply_impulses(FieldState& f, const Contact& contact) {
+  for (int k = 0; k < contact.count; ++k)
+    apply_impulse(f.bodies, f.constants.owner_of(contact.a), contact, contact.slot[k], contact.slot[k].impulse);
 }
 
 }  // namespace gem

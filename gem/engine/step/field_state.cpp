@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "gem/engine/step/solo_stages.h"
+#include "gem/field/platform_pieces.h"
 
 namespace gem {
 
@@ -26,6 +27,7 @@ FieldState make_field_state(Bodies bodies, const StepConstants& constants) {
     }
     turn_outline(f, i);
   }
+  if (constants.pieces > 1) f.piece_corner = corners_of_pieces(f.bodies);
   f.turn_travel.assign(n, 0.0);
   f.path_correction.assign(n, {});
   f.angle_correction.assign(n, 0.0);

@@ -8,6 +8,7 @@
 #include "gem/engine/step/step_constants.h"
 #include "gem/field/bodies.h"
 #include "gem/geometry/convex_contact.h"
+#include "gem/geometry/piece_joints.h"
 
 namespace gem {
 
@@ -19,8 +20,9 @@ struct FieldState {
 
   std::vector<Vec2> corner;  // outline corners in world axes relative to the centroid, indexed as bodies.vertex [m]
   std::vector<Vec2> normal;  // outward unit normals of the edges in world axes
-  std::vector<Vec2> body_normal;    // outward unit normals of the edges in body axes
-  std::vector<double> turn_travel;  // sum of the absolute angles turned so far [rad]
+  std::vector<Vec2> body_normal;          // outward unit normals of the edges in body axes
+  std::vector<PieceCorner> piece_corner;  // of the pieces of the platform, indexed as bodies.vertex; of one piece: none
+  std::vector<double> turn_travel;        // sum of the absolute angles turned so far [rad]
 
   std::vector<Vec2> path_correction;     // exact path under drag minus velocity x dt [m]
   std::vector<double> angle_correction;  // the same for the angle [rad]

@@ -62,7 +62,7 @@ GEM_HD inline void open_contact(Contact& contact, std::int32_t a, std::int32_t b
 
 /// Sets velocity and compliance at the time of the events. `shift` is the motion of A since the geometry was found [m].
 GEM_HD inline void prepare(const StepConstants& c, const PairBodies& p, Vec2 shift, Contact& contact) {
-  contact.friction = friction_of_pair(c.events, contact.a == 0);
+  contact.friction = friction_of_pair(c.events, c.is_platform(contact.a));
   const Vec2 tangent = turned_left(contact.normal);
   for (int k = 0; k < 2 && k < contact.count; ++k) {
     ContactSlot& slot = contact.slot[k];

@@ -86,6 +86,27 @@ inline void drift_floe(FieldState& f, std::size_t i) {
   if (f.bodies.active[i]) turn_body(f, i, shift_floe(f, i));
 }
 
+/// Gives the pieces of the platform the velocity of their owner.
+inline void carry_pieces(FieldState& f) {
+  Bodies& b = f.bodies;
+  for (std::int32_t i = 1; i < f.constants.pieces; ++i) {
+    b.velocity[i] = b.velocity[0];
+    b.spin[i] = b.spin[0];
+  }
+}
+
+/// Moves the pieces of the platform to its place. They turn with it: their outlines too.
+inline void move_pieces(FieldState& f, bool turned) {
+  Bodies& b = f.bodies;
+  for (std::int32_t i = 1; i < f.constants.pieces; ++i) {
+    b.position[i] = b.position[0];
+    b.rotation[i] = b.rotation[0];
+    f.turn_travel[i] = f.turn_travel[0];
+    if (turned) turn_outline(f, i);
+  }
+  carry_pieces(f);
+}
+
 /// Whether the state of body i is finite. The state of a retired floe does not matter.
 inline bool finite_or_inactive(const Bodies& b, std::size_t i) {
   return !b.active[i] || std::isfinite(b.position[i].x + b.position[i].y + b.velocity[i].x + b.velocity[i].y +
@@ -158,6 +179,7 @@ inline void platform_first_half(FieldState& f) {
   steer_platform(f.constants.events, f.drive, platform_yaw(f), true);
   turn_in_water(f.constants.events, f.drive, moved_platform(f), f.bodies.rotation[0], false);
   f.before_contacts = {f.bodies.velocity[0], f.bodies.spin[0]};
+  move_pieces(f, false);
 }
 
 /// Books what the ground gives to a fixed platform. The device has only the sum over the contacts, so this adds it too.
@@ -188,6 +210,7 @@ inline void platform_second_half(FieldState& f) {
   steer_platform(e, f.drive, platform_yaw(f), false);
   hold_station(e, f.drive, platform_on_dp(f), false);
   thrust_platform(e, f.drive, pushed_platform(f));
+  move_pieces(f, true);
 }
 
 }  // namespace gem

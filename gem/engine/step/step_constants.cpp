@@ -72,6 +72,7 @@ StepConstants step_constants(const SceneDef& scene, const Bodies& bodies, const 
   const double drift_speed = drive_speed(scene) + 1e-3;
   c.list_horizon = std::clamp<std::int64_t>(static_cast<std::int64_t>(c.list_margin / (drift_speed * c.dt)), 1, 400);
   c.retire_x = scene.output.retire_x_m;
+  c.pieces = platform_bodies(bodies);
   return c;
 }
 

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 
+#include "gem/base/macros.h"
 #include "gem/base/vec2.h"
 #include "gem/engine/solver/coupled_point.h"
 #include "gem/events/events.h"
@@ -30,6 +31,11 @@ struct StepConstants {
   double list_margin = 0.0;       // [m]
   std::int64_t list_horizon = 1;  // longest life of a list of near pairs [time steps]
   double retire_x = 0.0;          // [m]
+  std::int32_t pieces = 1;        // of the platform: bodies 0 to pieces - 1
+
+  GEM_HD bool is_platform(std::int32_t body) const { return body < pieces; }
+  /// The body that takes the impulses of `body` and is in the books: of a piece of the platform, body 0.
+  GEM_HD std::int32_t owner_of(std::int32_t body) const { return body < pieces ? 0 : body; }
 };
 
 /// The law of dynamic positioning of a scene; without thrusters: none.

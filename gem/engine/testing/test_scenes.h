@@ -65,6 +65,18 @@ inline SceneDef driven_scene(std::uint64_t seed) {
   return scene;
 }
 
+/// The busy scene around a platform of three pieces, whose notch is open to the ice.
+inline SceneDef pieces_scene(std::uint64_t seed) {
+  SceneDef scene = busy_scene(seed);
+  scene.platform.outline = PlatformOutline::pieces;
+  scene.platform.piece = {{{{0.0, -12.0}, {6.0, -12.0}, {6.0, 12.0}, {0.0, 12.0}}},
+                          {{{-12.0, 6.0}, {0.0, 6.0}, {0.0, 12.0}, {-10.0, 12.0}}},
+                          {{{-12.0, -6.0}, {-10.0, -12.0}, {0.0, -12.0}, {0.0, -6.0}}}};
+  scene.platform.start_yaw_rad = 0.2;
+  scene.platform.anchor_m = {-8.0, 0.0};  // close behind the ice
+  return scene;
+}
+
 /// The busy scene around a ship whose bow is turned out of the ice and steered back; `fixed`: it does not move.
 inline SceneDef ship_scene(std::uint64_t seed, bool fixed) {
   SceneDef scene = busy_scene(seed);
@@ -87,6 +99,13 @@ inline SceneDef ship_scene(std::uint64_t seed, bool fixed) {
 inline SceneDef dragged_ship_scene(std::uint64_t seed) {
   SceneDef scene = ship_scene(seed, false);
   scene.platform_drag.law = PlatformDragLaw::by_axis;
+  return scene;
+}
+
+/// The ship that moves, with water that moves along.
+inline SceneDef ship_scene_with_added_mass(std::uint64_t seed) {
+  SceneDef scene = dragged_ship_scene(seed);
+  scene.added_mass = {1e5, 3e6, 2e8, -4e6};
   return scene;
 }
 

@@ -53,14 +53,14 @@ def plot_field(run: RunFile, time: float | None = None, colour: str = "speed", a
     ax = _axes(ax)
     patches = field_patches(run, time, colour, **style)
     at = float(run.frame(time).time)
-    platform = run.platform_outline(at)
+    platform = run.platform_pieces(at)
     ax.set_facecolor(WATER_COLOUR)
     for outline in run.boundary_outlines():
         ax.fill(*outline.T, color=FIXED_COLOUR, zorder=0)
     ax.add_collection(patches, autolim=False)
-    if len(platform):
-        ax.fill(*platform.T, color=PLATFORM_COLOUR, zorder=3)
-    shown = [corners for corners in [*run.outlines(time).corners, platform] if len(corners)]
+    for piece in platform:
+        ax.fill(*piece.T, color=PLATFORM_COLOUR, zorder=3)
+    shown = [corners for corners in [*run.outlines(time).corners, *platform] if len(corners)]
     if shown:
         points = numpy.concatenate(shown)
         rim = 0.02 * float(numpy.ptp(points[:, 0])) + 5.0

@@ -238,6 +238,13 @@ class RunFile:
         c, s = numpy.cos(float(here.psi)), numpy.sin(float(here.psi))
         return numpy.asarray(outline @ numpy.array([[c, s], [-s, c]]) + [float(here.x), float(here.y)])
 
+    def platform_pieces(self, time: float | None = None) -> list[numpy.ndarray]:
+        """Corners of each convex piece of the platform, as `platform_outline()`; one array for a platform of one piece."""
+        corners = self.platform_outline(time)
+        if len(corners) == 0 or "platform_first" not in self.shape:
+            return [corners] if len(corners) else []
+        return list(numpy.split(corners, self.shape.platform_first.values[1:]))
+
     def boundary_outlines(self) -> list[numpy.ndarray]:
         """Corners of each fixed body in the world, arrays of shape (corners, 2) [m]."""
         return self._outlines_of("boundary")

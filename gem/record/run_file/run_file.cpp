@@ -333,4 +333,22 @@ std::vector<Vec2> RunFile::platform_outline() const {
   return split(xy, {double(xy.size()) / 2.0}).front();
 }
 
+std::vector<std::vector<Vec2>> RunFile::platform_pieces() const {
+  const std::vector<Vec2> corners = platform_outline();
+  if (corners.empty()) return {};
+  if (!has("shape/platform_first")) return {corners};
+  std::vector<double> first = column("shape/platform_first");
+  first.push_back(double(corners.size()));
+  std::vector<std::vector<Vec2>> pieces;
+  for (std::size_t i = 0; i + 1 < first.size(); ++i) {
+    const bool fits = first[0] == 0.0 && first[i + 1] >= first[i] + 3.0 && first[i + 1] <= double(corners.size()) &&
+                      first[i] == std::floor(first[i]);
+    if (!fits)
+      refuse_run_file(path(), "shape/platform_first does not fit the corners of the platform",
+                      "the file may be damaged");
+    pieces.emplace_back(corners.begin() + std::ptrdiff_t(first[i]), corners.begin() + std::ptrdiff_t(first[i + 1]));
+  }
+  return pieces;
+}
+
 }  // namespace gem

@@ -74,6 +74,9 @@ class RunFile {
   std::vector<std::vector<Vec2>> boundary_outlines() const;
   /// Outline of the platform about its centroid [m]; empty without a platform.
   std::vector<Vec2> platform_outline() const;
+  /// The outlines of its convex pieces; one for a platform of one piece, none without a platform. The outline is their
+  /// corners, piece by piece.
+  std::vector<std::vector<Vec2>> platform_pieces() const;
 
  private:
   struct Inside;

@@ -44,6 +44,7 @@ std::map<std::string, hsize_t> sizes_of(const SceneDef& scene, const Bodies& bod
           {"boundary", floe - fixed},
           {"boundary_vertex", vertices(fixed, floe)},
           {"platform_vertex", scene.platform.present ? vertices(0, fixed) : 0},
+          {"platform_piece", has_pieces(scene) ? hsize_t(platform_bodies(bodies)) : 0},
           {"platform_side", scene.platform.present ? vertices(0, fixed) : 0},
           {"mooring_line", scene.mooring_design.lines.size()},
           {"thruster", scene.dp.thruster.size()}};
@@ -134,7 +135,8 @@ void RunLayout::write_header(const SceneDef& scene, const Bodies& bodies, const 
       file_.id(), "gem_signs",
       "forces and impulses in /platform act on the platform; impulses in /events act on the ice, along the "
       "normal that points from the platform into the ice; angles are counter-clockwise");
-  hdf5::write_numbers(file_.id(), "gem_first_floe_body", H5T_STD_I32LE, {double(first_floe(bodies))});
+  hdf5::write_numbers(file_.id(), "gem_first_floe_body", H5T_STD_I32LE,
+                      {double(recorded_body(bodies, std::int32_t(first_floe(bodies))))});
   hdf5::write_numbers(file_.id(), "gem_force_window_s", H5T_IEEE_F64LE, {scene.output.force_window_s});
   if (provenance.case_toml.size() <= attribute_limit) {
     hdf5::write_text(file_.id(), "gem_case_toml", provenance.case_toml);
@@ -160,7 +162,10 @@ void RunLayout::add_group(const std::string& group) {
     file_.add_dimension(id, "boundary", size_["boundary"], false);
     file_.add_dimension(id, "boundary_vertex", size_["boundary_vertex"], false);
   }
-  if (group == "shape") file_.add_dimension(id, "platform_vertex", size_["platform_vertex"], false);
+  if (group == "shape") {
+    file_.add_dimension(id, "platform_vertex", size_["platform_vertex"], false);
+    if (size_["platform_piece"] > 0) file_.add_dimension(id, "platform_piece", size_["platform_piece"], false);
+  }
 }
 
 template <class Row>

@@ -75,16 +75,18 @@ Csv outlines_csv(const std::vector<Corners>& outlines) {
   return csv;
 }
 
-/// The platform's outline at a time.
-Corners platform_at(const RunData& run, double time) {
+/// The outlines of the platform's pieces at a time.
+std::vector<Corners> platform_at(const RunData& run, double time) {
   const auto& times = run.platform.time;
   const auto at = std::min<std::size_t>(std::lower_bound(times.begin(), times.end(), time) - times.begin(),
                                         std::max<std::size_t>(times.size(), 1) - 1);
   const Vec2 place = times.empty() ? run.rest : Vec2{run.platform.x[at], run.platform.y[at]};
   const double yaw = run.platform.yaw.empty() || !std::isfinite(run.platform.yaw[at]) ? 0.0 : run.platform.yaw[at];
-  Corners result;
-  for (const Vec2 p : run.platform_outline) result.push_back(place + rotate({std::cos(yaw), std::sin(yaw)}, p));
-  return result;
+  std::vector<Corners> pieces = run.platform_pieces;
+  if (pieces.empty()) pieces = {run.platform_outline};
+  for (Corners& piece : pieces)
+    for (Vec2& p : piece) p = place + rotate({std::cos(yaw), std::sin(yaw)}, p);
+  return pieces;
 }
 
 struct FieldPicture {
@@ -100,7 +102,7 @@ Figure draw_field(const RunData& run, const FloeFrame& frame, const FieldPicture
                   const PlotFolder& folder) {
   folder.write_csv(picture.name, floes_csv(run, frame, picture.view));
   const std::string platform_name = picture.name + "_platform";
-  folder.write_csv(platform_name, outlines_csv({platform_at(run, frame.time)}));
+  folder.write_csv(platform_name, outlines_csv(platform_at(run, frame.time)));
   std::ostringstream commands;
   commands
       << "set size ratio -1\nset lmargin 8\nset rmargin 1\nset border 15\nunset grid\n"
@@ -157,7 +159,7 @@ Figure small_field_figure(const RunData& run, const std::string& name, const std
   const FloeFrame& frame = run.frames[1];
   folder.write_csv(name, floes_csv(run, frame, view));
   folder.write_csv(name + "_fixed", outlines_csv(run.fixed));
-  folder.write_csv(name + "_platform", outlines_csv({platform_at(run, frame.time)}));
+  folder.write_csv(name + "_platform", outlines_csv(platform_at(run, frame.time)));
   std::ostringstream commands;
   commands << "set size ratio -1\nunset border\nunset tics\nunset grid\nunset colorbox\nset margins 0, 0, 0, 0\n"
            << "set xrange [" << rounded_text(view.x_low, 5) << ':' << rounded_text(view.x_high, 5) << "]\nset yrange ["

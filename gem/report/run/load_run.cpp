@@ -212,6 +212,7 @@ RunData load_run(const std::string& run_file, bool allow_incomplete, std::option
   for (const std::vector<double>* time : {&run.platform.time, &run.stats.time})
     if (!time->empty()) run.duration_s = std::max(run.duration_s, time->back());
   run.platform_outline = file.platform_outline();
+  if (auto pieces = file.platform_pieces(); pieces.size() > 1) run.platform_pieces = std::move(pieces);
   run.sides = side_record(file, scene);
   run.lines = line_record(file, scene);
   run.dp = dp_record(file, scene);

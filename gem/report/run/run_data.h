@@ -85,16 +85,17 @@ struct RunData {
   PlatformRecord platform;
   EventColumns events;
   StatsRecord stats;
-  Corners platform_outline;            // about its centre
-  std::vector<Corners> fixed;          // world
-  std::vector<Corners> floe_outlines;  // about the centroid
-  std::optional<double> at_s = {};     // the time that the report shows; empty: the middle of the run
-  std::vector<SideRecord> sides = {};  // of the platform; empty if not recorded
-  std::vector<LineRecord> lines = {};  // of the mooring
-  DpRecord dp = {};                    // empty without thrusters
-  TransitRecord transit = {};          // empty without transit
-  FixedRecord on_fixed = {};           // empty without [[fixed]] or without the forces between bodies
-  std::vector<FloeFrame> frames;       // start, at_s, end; fewer if the run recorded fewer than three
+  Corners platform_outline;              // about its centre; of several pieces: the corners of all
+  std::vector<Corners> platform_pieces;  // their outlines, if there are several
+  std::vector<Corners> fixed;            // world
+  std::vector<Corners> floe_outlines;    // about the centroid
+  std::optional<double> at_s = {};       // the time that the report shows; empty: the middle of the run
+  std::vector<SideRecord> sides = {};    // of the platform; empty if not recorded
+  std::vector<LineRecord> lines = {};    // of the mooring
+  DpRecord dp = {};                      // empty without thrusters
+  TransitRecord transit = {};            // empty without transit
+  FixedRecord on_fixed = {};             // empty without [[fixed]] or without the forces between bodies
+  std::vector<FloeFrame> frames;         // start, at_s, end; fewer if the run recorded fewer than three
 };
 
 }  // namespace gem

@@ -12,13 +12,16 @@
 namespace gem {
 namespace {
 
-std::vector<SideRecord> empty_sides(const std::vector<Vec2>& outline, const PlatformDef& platform) {
+std::vector<SideRecord> empty_sides(const std::vector<std::vector<Vec2>>& pieces, const PlatformDef& platform) {
   const std::vector<std::string> names = platform_side_names(platform);
-  std::vector<SideRecord> sides(outline.size());
-  for (std::size_t k = 0; k < sides.size(); ++k) {
-    sides[k].name = k < names.size() ? names[k] : "side " + std::to_string(k + 1);
-    sides[k].length = length(outline[(k + 1) % outline.size()] - outline[k]);
-  }
+  std::vector<SideRecord> sides;
+  for (std::size_t piece = 0; piece < pieces.size(); ++piece)
+    for (std::size_t k = 0; k < pieces[piece].size(); ++k) {
+      SideRecord& side = sides.emplace_back();
+      side.name = k < names.size() ? names[k] : "side " + std::to_string(k + 1);
+      if (pieces.size() > 1) side.name = "piece " + std::to_string(piece + 1) + ", " + side.name;
+      side.length = length(pieces[piece][(k + 1) % pieces[piece].size()] - pieces[piece][k]);
+    }
   return sides;
 }
 
@@ -51,8 +54,8 @@ void add_sample(std::vector<SideRecord>& sides, const ColumnPiece& piece, std::s
 
 std::vector<SideRecord> side_record(const RunFile& file, const SceneDef& scene) {
   if (!file.has("platform/side_impulse") || !file.has("platform/side_friction_impulse")) return {};
-  const std::vector<Vec2> outline = file.platform_outline();
-  std::vector<SideRecord> sides = empty_sides(outline, scene.platform);
+  const std::vector<std::vector<Vec2>> pieces = file.platform_pieces();
+  std::vector<SideRecord> sides = empty_sides(pieces, scene.platform);
   double before = 0.0;  // time of the last sample
   for_each_piece(file, {"platform/time", "platform/side_impulse", "platform/side_friction_impulse"},
                  [&](const ColumnPiece& piece) {

@@ -34,6 +34,14 @@ void check_shape(const SceneDef& s, List& out) {
   if (p.outline == PlatformOutline::listed && p.outline_m.empty())
     out.push_back(
         {"platform.outline_m", "missing (platform.outline = \"listed\") give the corners [[x, y], ...] in m"});
+  if (p.outline == PlatformOutline::pieces && p.piece.empty())
+    out.push_back(
+        {"platform.piece",
+         "missing (platform.outline = \"pieces\") give the pieces as [[platform.piece]] with outline_m = [[x, "
+         "y], ...] in m"});
+  if (p.piece.size() > platform_pieces_maximum)
+    out.push_back({"platform.piece", "too many pieces (value " + std::to_string(p.piece.size()) + ", allowed at most " +
+                                         std::to_string(platform_pieces_maximum) + ") make them larger"});
   const double ends = p.bow_length_m + p.stern_length_m;
   if (p.outline == PlatformOutline::ship && ends > p.length_m)
     out.push_back({"platform.length_m", "the ship is shorter than its bow and stern (value " +
@@ -118,8 +126,17 @@ void warn_of_shape(const PlatformDef& p, std::vector<std::string>& warnings) {
   unused("bow_length_m", p.bow_length_m != usual.bow_length_m, PlatformOutline::ship, "ship");
   unused("stern_length_m", p.stern_length_m != usual.stern_length_m, PlatformOutline::ship, "ship");
   unused("outline_m", !p.outline_m.empty(), PlatformOutline::listed, "listed");
+  unused("piece", !p.piece.empty(), PlatformOutline::pieces, "pieces");
   if (p.inertia_kg_m2 > 0.0 && (p.fixed || p.yaw == Yaw::locked))
     warnings.push_back("platform.inertia_kg_m2: has no effect (the platform cannot turn) remove it");
+}
+
+void warn_of_pieces(const SceneDef& scene, std::vector<std::string>& warnings) {
+  const PlatformDef& p = scene.platform;
+  if (p.outline == PlatformOutline::pieces && p.piece.size() > 1 && scene.contact.solver == ContactSolver::independent)
+    warnings.push_back(
+        "platform.piece: a floe that touches two pieces at once is struck by each (contact.solver = \"independent\" "
+        "answers every pair alone) set contact.solver = \"coupled\"");
 }
 
 void warn_of_heading(const SceneDef& scene, std::vector<std::string>& warnings) {
@@ -192,6 +209,7 @@ void warn_of_inertia(const PlatformDef& p, double area, std::vector<std::string>
 void warn_of_platform(const SceneDef& scene, std::vector<std::string>& warnings) {
   if (!scene.platform.present) return;
   warn_of_shape(scene.platform, warnings);
+  warn_of_pieces(scene, warnings);
   warn_of_heading(scene, warnings);
   warn_of_drag(scene, warnings);
   warn_of_added_mass(scene, warnings);

@@ -105,6 +105,7 @@ std::string json_schema() {
     sections[section]["properties"][option.path.substr(dot + 1)] = option_schema(option);
   }
   sections["ice"]["properties"]["class"] = list_schema(ice_class_options());
+  sections["platform"]["properties"]["piece"] = list_schema(platform_piece_options());
   sections["dp"]["properties"]["thruster"] = list_schema(thruster_options());
   sections["floe"] = list_schema(floe_options());
   sections["fixed"] = list_schema(fixed_options());

@@ -37,6 +37,11 @@ const std::vector<Option<IceClassDef>>& ice_class_options() {
   return options;
 }
 
+const std::vector<Option<PlatformPieceDef>>& platform_piece_options() {
+  static const auto options = sections::platform_piece_keys();
+  return options;
+}
+
 const std::vector<Option<ThrusterDef>>& thruster_options() {
   static const auto options = sections::thruster_keys();
   return options;

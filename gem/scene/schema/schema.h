@@ -52,6 +52,7 @@ using OptionValue = std::variant<double, std::int64_t, std::string, bool, Vec2, 
 inline constexpr std::size_t listed_corners_minimum = 3;
 inline constexpr std::size_t listed_corners_maximum = 20;
 inline constexpr std::size_t platform_corners_maximum = 256;  // of the platform
+inline constexpr std::size_t platform_pieces_maximum = 64;
 
 /// A choice that another option must have. An empty key: none.
 struct NeededChoice {
@@ -91,8 +92,9 @@ inline constexpr std::size_t table_rows_maximum = 100000;
 /// "[time s, x m/s, y m/s]".
 std::string columns_text(const std::vector<OptionColumn>& columns);
 
-/// The lists [[ice.class]], [[dp.thruster]], [[floe]] and [[fixed]].
+/// The lists [[ice.class]], [[platform.piece]], [[dp.thruster]], [[floe]] and [[fixed]].
 const std::vector<Option<IceClassDef>>& ice_class_options();
+const std::vector<Option<PlatformPieceDef>>& platform_piece_options();
 const std::vector<Option<ThrusterDef>>& thruster_options();
 const std::vector<Option<FloeDef>>& floe_options();
 const std::vector<Option<FixedDef>>& fixed_options();

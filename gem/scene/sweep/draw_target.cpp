@@ -50,6 +50,7 @@ std::vector<std::string> numbers_of_cases() {
   std::vector<std::string> keys;
   append_keys(keys, scene_options(), "");
   append_keys(keys, ice_class_options(), "ice.class.");
+  append_keys(keys, platform_piece_options(), "platform.piece.");
   append_keys(keys, thruster_options(), "dp.thruster.");
   append_keys(keys, floe_options(), "floe.");
   append_keys(keys, fixed_options(), "fixed.");
@@ -132,6 +133,7 @@ DrawTarget draw_target(const TomlNode& node, const std::string& what) {
   }
   if (auto target = in_pair(key)) return *target;
   if (auto target = in_list("ice.class", ice_class_options(), key)) return *target;
+  if (auto target = in_list("platform.piece", platform_piece_options(), key)) return *target;
   if (auto target = in_list("dp.thruster", thruster_options(), key)) return *target;
   if (auto target = in_list("floe", floe_options(), key)) return *target;
   if (auto target = in_list("fixed", fixed_options(), key)) return *target;

@@ -136,7 +136,7 @@ class ProductSweep {
 
   /// A list of tables has no single key that an axis could set.
   void check_no_list(const std::string& axis, const TomlNode& target) const {
-    for (const char* list : {"ice.class", "dp.thruster", "floe", "fixed"})
+    for (const char* list : {"ice.class", "platform.piece", "dp.thruster", "floe", "fixed"})
       if (target.text == list || target.text.starts_with(std::string(list) + "."))
         reject_key(target.place, "sweep.map." + axis,
                    "map cannot address a list (value " + quoted_text(target.text) +

@@ -35,6 +35,7 @@ std::vector<Row> all_rows() {
   std::vector<Row> rows;
   append_rows(rows, scene_options(), "");
   append_rows(rows, ice_class_options(), "ice.class.");
+  append_rows(rows, platform_piece_options(), "platform.piece.");
   append_rows(rows, thruster_options(), "dp.thruster.");
   append_rows(rows, floe_options(), "floe.");
   append_rows(rows, fixed_options(), "fixed.");
@@ -93,8 +94,8 @@ std::string markdown_range(const OptionInfo& info) {
 }
 
 std::string heading(const std::string& section) {
-  if (section == "ice.class" || section == "dp.thruster" || section == "floe" || section == "fixed")
-    return "[[" + section + "]]";
+  for (const char* list : {"ice.class", "platform.piece", "dp.thruster", "floe", "fixed"})
+    if (section == list) return "[[" + section + "]]";
   return "[" + section + "]";
 }
 

@@ -63,6 +63,7 @@ std::string resolved_toml(const SceneDef& scene) {
     text += option.path.substr(dot + 1) + " = " + value_text(option.get(scene)) + "\n";
   }
   append_entries(text, "ice.class", scene.floes.classes, ice_class_options());
+  append_entries(text, "platform.piece", scene.platform.piece, platform_piece_options());
   append_entries(text, "dp.thruster", scene.dp.thruster, thruster_options());
   append_entries(text, "floe", scene.floe, floe_options());
   append_entries(text, "fixed", scene.fixed, fixed_options());

@@ -11,7 +11,7 @@
 namespace gem {
 namespace {
 
-const std::string class_path = "ice.class", thruster_path = "dp.thruster";
+const std::string class_path = "ice.class", piece_path = "platform.piece", thruster_path = "dp.thruster";
 
 std::set<std::string> section_names() {
   std::set<std::string> names;
@@ -70,6 +70,8 @@ void read_section(const std::string& section, const TomlNode& node, SceneDef& sc
     const std::string path = section + "." + name;
     if (path == class_path) {
       read_list(value, path, ice_class_options(), scene.floes.classes, problems);
+    } else if (path == piece_path) {
+      read_list(value, path, platform_piece_options(), scene.platform.piece, problems);
     } else if (path == thruster_path) {
       read_list(value, path, thruster_options(), scene.dp.thruster, problems);
     } else if (const auto* option = find_option(scene_options(), path)) {
@@ -107,7 +109,7 @@ void follow_other_keys(const TomlNode& document, SceneDef& scene) {
 
 std::vector<std::string> known_keys() {
   std::vector<std::string> keys = paths_of(scene_options(), "");
-  keys.insert(keys.end(), {class_path, thruster_path, "floe", "fixed", "include"});
+  keys.insert(keys.end(), {class_path, piece_path, thruster_path, "floe", "fixed", "include"});
   return keys;
 }
 

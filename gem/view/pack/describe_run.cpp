@@ -62,8 +62,12 @@ Json side_impulse_json(const RunFile& file, std::size_t sides) {
 
 Json platform_json(const RunFile& file, const SceneDef& scene) {
   const std::vector<Vec2> outline = scene.platform.present ? file.platform_outline() : std::vector<Vec2>{};
+  Json pieces = Json::array();
+  if (!outline.empty())
+    for (const std::vector<Vec2>& piece : file.platform_pieces()) pieces.push_back(outline_json(piece));
   return {{"present", !outline.empty()},
           {"outline", outline_json(outline)},
+          {"pieces", pieces},
           {"side_names", platform_side_names(scene.platform)},
           {"side_impulse", side_impulse_json(file, outline.size())},
           {"holder", holder_of(scene)},

@@ -30,11 +30,11 @@ function outlineOf(shapes, i) {
 
 // Floes that lie at the platform at a time, where a force (fx, fy) on it comes from; the largest first.
 export function floesAtPlatform(run, time, fx, fy) {
-  const {outline, present} = run.description.platform, {shapes} = run;
+  const {outline, pieces, present} = run.description.platform, {shapes} = run;
   if (!present || run.frameCount === 0) return [];
   const at = name => run.platformAt(name, time) || 0;
   const cx = at('x'), cy = at('y'), psi = at('psi');
-  const hull = moved(outline, cx, cy, Math.cos(psi), Math.sin(psi));
+  const hulls = pieces.map(piece => moved(piece, cx, cy, Math.cos(psi), Math.sin(psi)));
   const radius = Math.max(...outline.map(corner => Math.hypot(...corner)));
   const pose = new Pose(run);
   pose.moveTo(time);
@@ -44,7 +44,8 @@ export function floesAtPlatform(run, time, fx, fy) {
     const own = outlineOf(shapes, i), size = Math.max(...own.map(corner => Math.hypot(...corner)));
     if (Math.hypot(pose.x[i] - cx, pose.y[i] - cy) > radius + size + reach) continue;
     const there = moved(own, pose.x[i], pose.y[i], pose.cosine[i], pose.sine[i]);
-    const a = nearestCorner(there, hull), b = nearestCorner(hull, there), touch = a.gap < b.gap ? a : b;
+    const touch = hulls.flatMap(hull => [nearestCorner(there, hull), nearestCorner(hull, there)])
+        .reduce((a, b) => b.gap < a.gap ? b : a);
     if (touch.gap <= reach && (touch.x - cx) * fx + (touch.y - cy) * fy < 0) found.push(i);
   }
   return found.sort((i, j) => shapes.area[j] - shapes.area[i]);

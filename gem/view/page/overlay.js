@@ -6,11 +6,16 @@ import {platformForces} from './platform_forces.js';
 
 const trackSeconds = 600;
 
-function path(context, camera, outline, x = 0, y = 0, cosine = 1, sine = 0) {
+function path(context, camera, outlines, x = 0, y = 0, cosine = 1, sine = 0) {
   context.beginPath();
-  for (const [cx, cy] of outline)
-    context.lineTo(...camera.toScreen(x + cosine * cx - sine * cy, y + sine * cx + cosine * cy));
-  context.closePath();
+  for (const outline of outlines) {
+    outline.forEach(([cx, cy], k) => {
+      const place = camera.toScreen(x + cosine * cx - sine * cy, y + sine * cx + cosine * cy);
+      if (k === 0) context.moveTo(...place);
+      else context.lineTo(...place);
+    });
+    context.closePath();
+  }
 }
 
 // Returns whether it is long enough to be seen.
@@ -57,7 +62,7 @@ export class Overlay {
     context.lineJoin = 'round';
     context.lineWidth = 1;
     for (const outline of this.view.run.description.fixed) {
-      path(context, camera, outline);
+      path(context, camera, [outline]);
       context.fillStyle = theme.fixed;
       context.strokeStyle = theme.ink;
       context.fill();
@@ -97,7 +102,7 @@ export class Overlay {
   drawPlatform(context) {
     const {camera, theme, run, options} = this.view;
     const pose = this.platformPose();
-    path(context, camera, run.description.platform.outline, pose.x, pose.y, pose.cosine, pose.sine);
+    path(context, camera, run.description.platform.pieces, pose.x, pose.y, pose.cosine, pose.sine);
     context.fillStyle = theme.platform;
     context.fill();
     context.lineWidth = this.view.selected === 'platform' ? 4 : 1.5;

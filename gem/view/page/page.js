@@ -231,7 +231,7 @@ class View {
     };
     const {platform} = this.run.description;
     const at = this.overlay.platformPose();
-    if (platform.present && inside(platform.outline, at.x, at.y, at.cosine, at.sine)) return 'platform';
+    if (platform.present && platform.pieces.some(piece => inside(piece, at.x, at.y, at.cosine, at.sine))) return 'platform';
     const {pose, run} = this, {start, xy, area} = run.shapes;
     for (let i = 0; i < pose.there.length; ++i) {
       if (!pose.there[i] || Math.hypot(x - pose.x[i], y - pose.y[i]) > 4 * Math.sqrt(area[i])) continue;

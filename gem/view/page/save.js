@@ -63,7 +63,8 @@ export function svgText(view) {
   const fixed = run.description.fixed.map(outline => polygon(turned(outline, 0, 0, 1, 0), theme.fixed));
   const {x, y, cosine, sine} = view.overlay.platformPose();
   const platform = run.description.platform.present ?
-      polygon(turned(run.description.platform.outline, x, y, cosine, sine), theme.platform, ` stroke="${theme.ink}"`) : '';
+      run.description.platform.pieces.map(piece =>
+          polygon(turned(piece, x, y, cosine, sine), theme.platform, ` stroke="${theme.ink}"`)).join('') : '';
   const title = `${run.description.name}, ${view.time.toFixed(1)} s, coloured by ${view.quantity.label}`;
   return `<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 ${camera.width} ${camera.height}">` +
       `<title>${escapedText(title)}</title><rect width="100%" height="100%" fill="${hexColour(theme.water)}"/>` +

@@ -5,12 +5,12 @@ import {element, shortNumber, withUnit} from './dom.js';
 const size = {width: 300, height: 240, hull: 116, bar: 48};  // pixels
 const labelsMaximum = 12;  // sides; of an outline with more, only the strongest is named
 
-function sidesOf(outline) {
-  return outline.map(([x, y], i) => {
+function sidesOf(pieces) {
+  return pieces.flatMap(outline => outline.map(([x, y], i) => {
     const [toX, toY] = outline[(i + 1) % outline.length];
     const length = Math.hypot(toX - x, toY - y);
     return {x, y, toX, toY, length, nx: (toY - y) / length, ny: (x - toX) / length};
-  });
+  }));
 }
 
 function distanceTo(side, x, y) {
@@ -52,13 +52,13 @@ export class SideChart {
 
   refresh() {
     const {run, hits} = this.view;
-    const {outline, side_impulse: recorded} = run.description.platform;
+    const {outline, pieces, side_impulse: recorded} = run.description.platform;
     this.canvas.hidden = hits.count === 0 && !recorded?.some(sum => sum > 0);
     if (this.canvas.hidden) {
       this.note.textContent = 'No ice has pressed on the platform in this file.';
       return;
     }
-    this.sides = sidesOf(outline);
+    this.sides = sidesOf(pieces);
     this.hitSides = sidesOfHits(run, hits, this.sides);
     this.recorded = recorded;
     this.sums = Float64Array.from(recorded ?? outline.map(() => 0));

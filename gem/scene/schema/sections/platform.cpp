@@ -1,4 +1,4 @@
-// Keys of [platform].
+// Keys of [platform] and [[platform.piece]].
 #include "gem/scene/schema/sections/sections.h"
 
 namespace gem::sections {
@@ -6,9 +6,11 @@ namespace {
 
 void add_platform_outline(SceneTable& t) {
   const Range extent = {0.1, 1e4};
-  t.choice("platform.outline", {"regular", "ship", "listed"},
-           "regular: polygon of sides and diameter_m; ship: waterline of a drillship, its bow at -x; listed: outline_m",
-           GEM_FIELD(platform.outline));
+  t.choice(
+      "platform.outline", {"regular", "ship", "listed", "pieces"},
+      "regular: polygon of sides and diameter_m; ship: waterline of a drillship, its bow at -x; listed: outline_m; "
+      "pieces: the convex pieces of [[platform.piece]], which move together",
+      GEM_FIELD(platform.outline));
   t.number("platform.length_m", "m", extent, "length over all (outline = \"ship\")", GEM_FIELD(platform.length_m));
   t.number("platform.beam_m", "m", extent, "beam (outline = \"ship\")", GEM_FIELD(platform.beam_m));
   t.number("platform.bow_length_m", "m", {0.0, 1e4},
@@ -49,6 +51,16 @@ void add_platform(SceneTable& t) {
   t.choice("platform.yaw", {"free", "locked"}, "whether the platform may turn", GEM_FIELD(platform.yaw));
   t.opt_in = true;
   add_platform_outline(t);
+}
+
+std::vector<Option<PlatformPieceDef>> platform_piece_keys() {
+  OptionTable<PlatformPieceDef> t;
+  t.outline("outline_m", {-1e4, 1e4},
+            "corners of one convex piece in the axes of the platform, either direction; all pieces have one origin; "
+            "pieces may touch but not overlap; the platform's centre is the centroid of all (platform.outline = "
+            "\"pieces\")",
+            GEM_FIELD(outline_m), platform_corners_maximum);
+  return t.options;
 }
 
 }  // namespace gem::sections

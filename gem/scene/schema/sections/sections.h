@@ -44,8 +44,9 @@ inline constexpr void (*in_order[])(SceneTable&) = {
     add_wind,    add_dp,      add_breakup,       add_transit, add_added_mass,
 };
 
-/// The keys of an entry of [[ice.class]], [[dp.thruster]], [[floe]] and [[fixed]].
+/// The keys of an entry of [[ice.class]], [[platform.piece]], [[dp.thruster]], [[floe]] and [[fixed]].
 std::vector<Option<IceClassDef>> ice_class_keys();
+std::vector<Option<PlatformPieceDef>> platform_piece_keys();
 std::vector<Option<ThrusterDef>> thruster_keys();
 std::vector<Option<FloeDef>> floe_keys();
 std::vector<Option<FixedDef>> fixed_keys();

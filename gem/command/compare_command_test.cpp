@@ -1,6 +1,7 @@
 // gem compare, and the chosen time of gem report.
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "gem/base/error.h"
@@ -194,6 +195,127 @@ TEST_F(CompareCommand, ASweepOfShipsInTransitHasNoMooring) {
   const std::string page = text_of("ships_report/index.html");
   EXPECT_NE(page.find("largest ice force"), std::string::npos);
   EXPECT_EQ(page.find("mooring"), std::string::npos);
+}
+
+/// Numbers that only some runs have: each that `gem analyse` knows stands in the comparison, with the same value.
+class CompareSpecial : public CommandTest {
+ protected:
+  static bool is_common(const std::string& name) {
+    for (const char* start : {"x_", "y_", "orbit_", "contact_", "ice_force_", "mooring_"})
+      if (name.starts_with(start)) return true;
+    return false;
+  }
+
+  /// Returns the numbers of the comparison. `first` is analysed; `count` numbers of it are special.
+  nlohmann::json compared(const std::string& first, const std::string& second, std::size_t count) {
+    const std::string from = " --json --from 10";
+    EXPECT_EQ(shell("gem analyse " + first + from), 0) << text_of("err");
+    const auto findings = nlohmann::json::parse(text_of("out")).at("findings");
+    EXPECT_EQ(shell("gem compare " + first + " " + second + from), 0) << text_of("err");
+    const auto numbers = nlohmann::json::parse(text_of("out")).at("numbers");
+    std::size_t special = 0;
+    for (const auto& [name, finding] : findings.items()) {
+      if (is_common(name)) continue;
+      ++special;
+      EXPECT_TRUE(numbers.contains(name)) << name;
+      if (!numbers.contains(name) || finding.at("value").is_null()) continue;
+      const double value = finding.at("value").get<double>();
+      // the mean of `gem analyse` and that of its interval add up to 300 samples in two ways: half a unit each
+      const double rounding = 300.0 * 0x1p-53 * std::abs(value);
+      EXPECT_NEAR(numbers.at(name).at("values").at(0).at("value").get<double>(), value, rounding) << name;
+    }
+    EXPECT_EQ(special, count);
+    return numbers;
+  }
+};
+
+TEST_F(CompareSpecial, ShipsInTransit) {
+  const std::string ship =
+      "gem run swing.toml -q --threads 1 --set platform.start_offset_m=[0,0] --set mooring.stiffness_N_per_m=0 ";
+  ASSERT_EQ(
+      shell(ship + "--set transit.bollard_thrust_N=1e5 --set transit.open_water_speed_m_per_s=2 --out way.h5 && " +
+            ship + "--set transit.speed_m_per_s=1 --out tow.h5"),
+      0)
+      << text_of("err");
+  const auto numbers = compared("way.h5", "tow.h5", 11);
+  EXPECT_NEAR(numbers.at("transit_distance_m").at("values").at(1).at("value").get<double>(), 10.0, 1e-9);
+  EXPECT_TRUE(numbers.at("thrust_mean_N").at("values").at(1).is_null()) << "a towed ship has no thrust of its own";
+  EXPECT_TRUE(numbers.at("tow_mean_N").at("values").at(0).is_null());
+  EXPECT_FALSE(numbers.contains("x_offset_m")) << "they have no rest";
+  EXPECT_EQ(shell("gem compare way.h5 tow.h5"), 0);
+  EXPECT_EQ(text_of("out").find("not resolved"), std::string::npos) << text_of("out");
+}
+
+TEST_F(CompareSpecial, ThrustersAndDrag) {
+  std::ofstream(path("dp.toml")) << R"([run]
+name = "dp"
+duration_s = 30.0
+[floes]
+source = "listed"
+[boundary]
+present = false
+[platform]
+start_offset_m = [9.0, -4.0]
+[wind]
+velocity_m_per_s = [10.0, 5.0]
+platform_area_m2 = 2000.0
+[mooring]
+stiffness_N_per_m = 0.0
+[dp]
+filter_time_s = 1.0
+[[dp.thruster]]
+position_m = [40.0, 0.0]
+maximum_N = 8e5
+[[dp.thruster]]
+kind = "tunnel"
+position_m = [-40.0, 0.0]
+maximum_N = 8e5
+[numerics]
+time_step_s = 0.1
+)";
+  ASSERT_EQ(shell("gem run dp.toml -q --threads 1 && gem run swing.toml -q --threads 1"), 0) << text_of("err");
+  const auto numbers = compared("dp.h5", "swing.h5", 11);  // two of them are the drag of the wind
+  EXPECT_EQ(numbers.at("mooring_force_largest_N").at("meaning"), "mooring or thruster force, largest");
+  EXPECT_TRUE(numbers.at("dp_yaw_largest_rad").at("values").at(1).is_null());
+}
+
+TEST_F(CompareSpecial, DragFromATimeOn) {
+  ASSERT_EQ(shell("gem run swing.toml -q --threads 1 --set platform_drag.present=true --set platform_drag.draft_m=10 "
+                  "--set water.density_kg_per_m3=1025 && cp swing.h5 same.h5"),
+            0)
+      << text_of("err");
+  compared("swing.h5", "same.h5", 2);
+}
+
+TEST_F(CompareSpecial, FixedBodies) {
+  std::ofstream(path("post.toml")) << R"([run]
+name = "post"
+duration_s = 20.0
+[current]
+velocity_m_per_s = [0.5, 0.0]
+[boundary]
+present = false
+[platform]
+fixed = true
+anchor_m = [0.0, 500.0]
+[mooring]
+stiffness_N_per_m = 0.0
+[output]
+contact_forces = true
+floes_interval_s = 0.5
+[floes]
+source = "listed"
+[[fixed]]
+outline_m = [[0.0, -10.0], [10.0, -10.0], [10.0, 10.0], [0.0, 10.0]]
+[[floe]]
+outline_m = [[-5.0, -5.0], [5.0, -5.0], [5.0, 5.0], [-5.0, 5.0]]
+position_m = [-5.01, 0.0]
+thickness_m = 1.0
+)";
+  ASSERT_EQ(shell("gem run post.toml -q --threads 1 && gem run post.toml -q --threads 1 --out same.h5"), 0)
+      << text_of("err");
+  const auto numbers = compared("post.h5", "same.h5", 6);
+  EXPECT_GT(numbers.at("fixed_0_force_largest_N").at("values").at(1).at("value").get<double>(), 0.0);
 }
 
 }  // namespace

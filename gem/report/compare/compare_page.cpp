@@ -28,7 +28,8 @@ Unit unit_of(const std::string& name, double size) {
   if (name.ends_with("_m")) return length_unit(size);
   if (name.ends_with("_m_per_s")) return {"m/s", 1.0};
   if (name.ends_with("_s")) return {"s", 1.0};
-  if (name.ends_with("_fraction")) return {"%", 0.01};
+  if (name.ends_with("_rad")) return {"rad", 1.0};
+  if (name.ends_with("_fraction") || name.ends_with("_share") || name.starts_with("dp_thrust_")) return {"%", 0.01};
   return {"", 1.0};
 }
 
@@ -104,7 +105,7 @@ std::string warnings_html(const Comparison& comparison) {
 
 std::string cell_text(const ComparedRow& row, const ComparedCell& cell) {
   if (!cell.text.empty()) return cell.text;
-  if (!cell.value) return "not resolved";
+  if (!cell.value) return cell.is_absent ? "-" : "not resolved";
   double largest = 0.0;  // one unit for the whole row
   for (const ComparedCell& each : row.cells) largest = std::max(largest, std::abs(each.value.value_or(0.0)));
   if (row.name.ends_with("_m") && largest < kLeastMotion) return "none";

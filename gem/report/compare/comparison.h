@@ -25,6 +25,7 @@ struct ComparedCell {
   std::optional<double> value;
   std::optional<IntervalEstimate> interval;  // 95 %
   std::string text;                          // instead of a number
+  bool is_absent = false;                    // the run has no such quantity
   bool not_converged = false;                // a load of a short time in a run that ends its iterations too early
 };
 
@@ -59,7 +60,7 @@ std::vector<ComparedRow> compared_rows(const std::vector<ComparedRun>& runs);
 /// A sentence for each run that has no interval in any row, with the reason.
 std::vector<std::string> missing_intervals(const Comparison& comparison);
 
-/// The records from a time on: samples and events. What concerns the whole run stays.
+/// The records from a time on: samples, events and frames of fixed bodies. What concerns the whole run stays.
 RunData since(RunData run, double from_s);
 
 }  // namespace gem

@@ -93,11 +93,6 @@ RunQuality quality(const StatsRecord& stats) {
   return result;
 }
 
-/// Offsets, periods and the orbit about a rest, which a ship on its way has not.
-bool is_of_swing(const Finding& finding) {
-  return finding.name.starts_with("x_") || finding.name.starts_with("y_") || finding.name.starts_with("orbit_");
-}
-
 /// Left out where nothing can pull, and for a ship on its way: transit_findings() says what its thrust or its tow
 /// gives.
 void leave_out_mooring(const RunData& run, std::vector<Finding>& findings) {
@@ -105,7 +100,19 @@ void leave_out_mooring(const RunData& run, std::vector<Finding>& findings) {
   std::erase_if(findings, [](const Finding& finding) { return finding.name.starts_with("mooring_"); });
 }
 
+/// What only some runs have: thrusters, transit, fixed bodies.
+void add_special(const RunData& run, std::size_t first, std::vector<Finding>& findings) {
+  const double from_s = run.platform.time.at(first);
+  for (const std::vector<Finding>& part :
+       {dp_findings(run.dp, first), transit_findings(run.transit, first), fixed_findings(run.on_fixed, from_s)})
+    findings.insert(findings.end(), part.begin(), part.end());
+}
+
 }  // namespace
+
+bool is_of_swing(const Finding& finding) {
+  return finding.name.starts_with("x_") || finding.name.starts_with("y_") || finding.name.starts_with("orbit_");
+}
 
 double sample_interval(const std::vector<double>& time) {
   const double interval = (time.back() - time.front()) / static_cast<double>(time.size() - 1);
@@ -150,10 +157,7 @@ std::vector<Finding> platform_findings(const RunData& run, std::size_t first) {
   std::vector<Finding> findings = analyse_platform(platform_series(run, first));
   if (run.transit.present) std::erase_if(findings, is_of_swing);
   leave_out_mooring(run, findings);
-  for (const Finding& finding : dp_findings(run.dp, first)) findings.push_back(finding);
-  for (const Finding& finding : transit_findings(run.transit, first)) findings.push_back(finding);
-  const double from_s = run.platform.time.at(first);
-  for (const Finding& finding : fixed_findings(run.on_fixed, from_s)) findings.push_back(finding);
+  add_special(run, first, findings);
   return findings;
 }
 
@@ -161,7 +165,7 @@ std::vector<Finding> whole_run_analysis(const RunData& run) {
   if (run.platform.time.size() < kSamplesForStatistics) return {};
   std::vector<Finding> findings = analyse_platform(platform_series(run));
   leave_out_mooring(run, findings);
-  for (const Finding& finding : transit_findings(run.transit, 0)) findings.push_back(finding);
+  add_special(run, 0, findings);
   return findings;
 }
 

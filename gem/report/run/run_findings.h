@@ -83,8 +83,12 @@ inline constexpr double kLeastMotion = 1e-9;  // [m]
 /// Computes everything that the records of the run allow; the rest stays zero or empty.
 RunFindings run_findings(const RunData& run);
 
-/// The result of analyse_platform() for the whole run; empty for a record too short to analyse.
+/// The result of analyse_platform() for the whole run, and of thrusters, transit and fixed bodies; empty for a record
+/// too short to analyse.
 std::vector<Finding> whole_run_analysis(const RunData& run);
+
+/// Whether the finding is an offset, a period or an orbit about a rest, which a ship on its way has not.
+bool is_of_swing(const Finding& finding);
 
 /// What the platform's record from sample `first` on says: motion, loads, thrusters, transit, and fixed bodies. A ship
 /// in transit has no rest to swing about, so offsets, periods and orbit are left out. Without a mooring its force is

@@ -7,7 +7,7 @@ import sys
 from pages import ROOT, program, replace_generated, rows_of_tests, stated, table_of
 
 PAGE = ROOT / "validation" / "README.md"
-CASES = [f"V{number:02d}" for number in range(1, 100)] + [f"M{number}" for number in range(1, 100)]
+CASES = [f"V{number:02d}" for number in range(1, 200)] + [f"M{number}" for number in range(1, 100)]
 
 
 def used(row):

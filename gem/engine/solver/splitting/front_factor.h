@@ -100,7 +100,7 @@ class FrontFactor {
   template <class Pass>
   void solve(IslandCrew& crew, Pass&& pass);
   void factor_part(std::int32_t part);
-  // Each is built for AVX2 too, or for AVX-512. Number parts.size(): the trunk.
+  // Narrow ones are built for AVX2 too, wide ones for AVX-512. `part` trunk(): the trunk.
   void factor_narrow(std::int32_t part);
   void factor_wide(std::int32_t part);
   void solve_first_narrow(Way way, std::int32_t part, float* x);

@@ -21,4 +21,6 @@
 #else
 #define GEM_CLONES __attribute__((target_clones("avx2", "default")))
 #endif
+// GEM_WIDE: a host function is built for AVX-512. It is called only where has_wide_packs() says so (pack.h).
+#define GEM_WIDE __attribute__((target("avx512f")))
 #endif

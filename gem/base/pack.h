@@ -23,6 +23,13 @@ GEM_INLINE FloatPack smaller(FloatPack a, FloatPack b) { return a < b ? a : b; }
 GEM_INLINE FloatPack magnitude(FloatPack a) { return a < 0.0F ? -a : a; }
 
 typedef float FloatHalf __attribute__((vector_size(16)));
+typedef float FloatWide __attribute__((vector_size(64)));  // for processors with AVX-512, see GEM_WIDE
+
+/// Whether the processor has AVX-512, which functions marked GEM_WIDE need.
+inline bool has_wide_packs() {
+  static const bool has = __builtin_cpu_supports("avx512f") != 0;
+  return has;
+}
 
 /// Four floats from one address and four from another.
 GEM_INLINE FloatPack side_by_side(const float* left, const float* right) {

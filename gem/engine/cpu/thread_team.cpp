@@ -7,22 +7,9 @@
 
 #include "gem/base/error.h"
 #include "gem/base/fault_stack.h"
+#include "gem/base/spin.h"
 
 namespace gem {
-namespace {
-
-/// Rounds of a spinning wait, about 20 microseconds, before the processor is yielded. Chosen by hand; affects only
-/// speed.
-constexpr int spins = 2000;
-
-/// Tells the processor that this is a spinning loop.
-inline void relax() {
-#ifdef __x86_64__
-  __builtin_ia32_pause();
-#endif
-}
-
-}  // namespace
 
 ThreadTeam::ThreadTeam(int threads) : size_(threads) {
   threads_.reserve(static_cast<std::size_t>(size_ - 1));
@@ -115,15 +102,10 @@ void ThreadTeam::barrier() {
     phase_.store(phase + 1, std::memory_order_release);
     return;
   }
-  for (int spin = 0; phase_.load(std::memory_order_acquire) == phase; ++spin) {
+  for (Spin spin; phase_.load(std::memory_order_acquire) == phase; spin.wait()) {
     // A fast thread may already be in the next run and abort it while this thread is still here. So the phase is
     // read again.
     if (aborted_.load(std::memory_order_acquire) && phase_.load(std::memory_order_acquire) == phase) throw Aborted{};
-    if (spin < spins) {
-      relax();
-    } else {
-      std::this_thread::yield();
-    }
   }
 }
 

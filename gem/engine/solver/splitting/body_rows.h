@@ -50,4 +50,49 @@ GEM_INLINE void push_bodies(const Block& q, const std::int32_t* a, const std::in
   add_pushes<half>(to, a, push);
 }
 
+/// Pushes of eight points along the Jacobian `n`, `t` of a side, as rows of its bodies: eight whole rows, or without
+/// repairs four packs of two half rows.
+template <bool repairs>
+struct PushRows {
+  FloatPack row[repairs ? float_lanes : float_lanes / 2];
+};
+
+template <bool repairs>
+GEM_INLINE void set_push_rows(const FloatPack* n, const FloatPack* t, PointShare<FloatPack> share,
+                              PointShare<FloatPack> repair, PushRows<repairs>& rows) {
+  FloatPack push[4];
+  for (int c = 0; c < 3; ++c) push[c] = n[c] * share.n + t[c] * share.t;
+  push[3] = FloatPack{};
+  transpose_halves(push);
+  if constexpr (repairs) {
+    FloatPack shift[4];
+    for (int c = 0; c < 3; ++c) shift[c] = n[c] * repair.n + t[c] * repair.t;
+    shift[3] = FloatPack{};
+    transpose_halves(shift);
+    for (int k = 0; k < 4; ++k) {
+      rows.row[k] = __builtin_shufflevector(push[k], shift[k], 0, 1, 2, 3, 8, 9, 10, 11);
+      rows.row[k + 4] = __builtin_shufflevector(push[k], shift[k], 4, 5, 6, 7, 12, 13, 14, 15);
+    }
+  } else {
+    for (int k = 0; k < 4; ++k) rows.row[k] = push[k];
+  }
+}
+
+/// Adds pushes to the rows of their bodies, in the order of the points.
+template <bool repairs>
+GEM_INLINE void add_push_rows(std::vector<BodyRow>& to, const std::int32_t* place, const PushRows<repairs>& rows) {
+  for (int k = 0; k < float_lanes; ++k) {
+    if constexpr (repairs) {
+      to[place[k]].lanes += rows.row[k];
+    } else {
+      float* const at = reinterpret_cast<float*>(&to[place[k]]);
+      FloatHalf part, sum;
+      __builtin_memcpy(&part, reinterpret_cast<const float*>(&rows.row[k % 4]) + 4 * (k / 4), sizeof part);
+      __builtin_memcpy(&sum, at, sizeof sum);
+      sum += part;
+      __builtin_memcpy(at, &sum, sizeof sum);
+    }
+  }
+}
+
 }  // namespace gem

@@ -84,6 +84,7 @@ TEST(Dissection, LeavesBodiesInOnePlaceTogether) {
 
 /// Solves for two vectors and puts the results into the equations. Returns the number of nodes.
 std::size_t expect_solution(const Lattice& lattice) {
+  IslandCrew crew;
   const auto n = static_cast<std::int32_t>(lattice.position.size());
   EliminationTree tree;
   Dissection().order(lattice.position, lattice.graph(), tree);
@@ -112,7 +113,7 @@ std::size_t expect_solution(const Lattice& lattice) {
         factor.below(static_cast<std::int32_t>(pair))[3 * r + c] += g[3 + r] * g[c];
       }
   }
-  factor.factor();
+  factor.factor(crew);
   std::vector<float> b(8 * n, 0.0F);
   for (std::int32_t i = 0; i < n; ++i)
     for (int c = 0; c < 3; ++c) {
@@ -120,8 +121,8 @@ std::size_t expect_solution(const Lattice& lattice) {
       b[8 * i + 4 + c] = any(random);
     }
   std::vector<float> first = b, both = b;
-  factor.solve_first(first.data());
-  factor.solve_both(both.data());
+  factor.solve_first(first.data(), crew);
+  factor.solve_both(both.data(), crew);
   for (std::int32_t i = 0; i < n; ++i)
     for (int c = 0; c < 3; ++c) {
       EXPECT_EQ(first[8 * i + c], both[8 * i + c]);

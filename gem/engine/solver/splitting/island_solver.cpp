@@ -41,7 +41,7 @@ void IslandSolver::order_bodies(std::span<const IslandBody> bodies, std::span<co
     j = std::max(p, q);
   }
   std::sort(pairs_.begin(), pairs_.end());
-  factor_.analyse(tree_, pairs_);
+  factor_.analyse(tree_, pairs_, crew_->parts());
 }
 
 void IslandSolver::set_points(std::span<const IslandBody> bodies, std::span<const IslandPoint> points) {
@@ -132,7 +132,7 @@ void IslandSolver::stiffen(const RoundControl& round) {
   for (std::size_t k = 0; k < mass_.size(); ++k)
     for (int c = 0; c < 3; ++c) factor_.diagonal(static_cast<std::int32_t>(k))[4 * c] = mass_[k].lanes[c];
   blocks_.stiffen(round.stiffness(), round.raised(), factor_);
-  factor_.factor();
+  factor_.factor(*crew_);
 }
 
 /// The right side without the points: minus the momentum of the motions.
@@ -144,7 +144,7 @@ GEM_CLONES void IslandSolver::begin() {
 /// Moves the bodies by the solution of the equations.
 GEM_CLONES void IslandSolver::step() {
   float* const unknowns = reinterpret_cast<float*>(&sum_[1]);
-  blocks_.repairs() ? factor_.solve_both(unknowns) : factor_.solve_first(unknowns);
+  blocks_.repairs() ? factor_.solve_both(unknowns, *crew_) : factor_.solve_first(unknowns, *crew_);
   for (std::size_t k = 1; k < now_.size(); ++k) now_[k].lanes += sum_[k].lanes;
 }
 
@@ -205,7 +205,7 @@ void IslandSolver::iterate_round(RoundKind kind, const IslandControl& control, I
     const bool judged = round.judged();
     if (judged && round.ends(compare(control))) break;
     begin();
-    blocks_.visit(control.friction, now_, sum_);
+    blocks_.visit(control.friction, now_, sum_, *crew_);
     if (judged) blocks_.watch(now_, round.watch_tolerance());
     if (!change_stiffness(round)) continue;
     begin();
@@ -236,7 +236,8 @@ GradientPlan IslandSolver::plan_of(std::span<const IslandBody> bodies, std::span
 }
 
 IslandResult IslandSolver::solve(std::span<const IslandBody> bodies, std::span<const IslandPoint> points,
-                                 const IslandControl& control) {
+                                 const IslandControl& control, IslandCrew& crew) {
+  crew_ = &crew;
   IslandResult result;
   move_by_base(bodies, points);
   result.error = error_of_base(control, bodies, points);

@@ -30,6 +30,7 @@
 #include "gem/engine/solver/splitting/dissection.h"
 #include "gem/engine/solver/splitting/front_factor.h"
 #include "gem/engine/solver/splitting/island.h"
+#include "gem/engine/solver/splitting/island_crew.h"
 #include "gem/engine/solver/splitting/island_gradient.h"
 #include "gem/engine/solver/splitting/point_blocks.h"
 #include "gem/engine/solver/splitting/round_control.h"
@@ -41,8 +42,9 @@ class IslandSolver {
   static constexpr std::int32_t fixed = IslandPoint::fixed;
 
   /// Solves one island: `points` refer to `bodies` by index. The result depends on nothing else.
+  /// `crew`: threads that help; they change no bit.
   IslandResult solve(std::span<const IslandBody> bodies, std::span<const IslandPoint> points,
-                     const IslandControl& control);
+                     const IslandControl& control, IslandCrew& crew);
 
  private:
   void find_pairs(std::span<const IslandPoint> points, std::int32_t bodies);
@@ -65,6 +67,7 @@ class IslandSolver {
   void step();
   SplittingDifferences compare(const IslandControl& control);
 
+  IslandCrew* crew_ = nullptr;  // of this island
   IslandGradient gradient_;
   Dissection dissection_;
   EliminationTree tree_;

@@ -6,12 +6,19 @@
 #include "gem/base/choose.h"
 
 namespace gem {
+namespace {
+
+/// Smaller islands are not worth a crew. Chosen by hand; affects only speed.
+constexpr std::int32_t fewest_shared_points = 512;
+
+}  // namespace
 
 void Islands::begin(std::int32_t bodies, std::int32_t points, int threads) {
   body_.resize(bodies);
   point_.resize(points);
   if (static_cast<int>(solver_.size()) < threads) solver_.resize(threads);
   result_.assign(threads, {});
+  crew_.begin(threads);
 }
 
 std::int32_t Islands::root_of(std::int32_t body) {
@@ -72,21 +79,34 @@ void Islands::find() {
   std::stable_sort(by_size_.begin(), by_size_.end(), [this](std::int32_t k, std::int32_t j) {
     return first_point_[k + 1] - first_point_[k] > first_point_[j + 1] - first_point_[j];
   });
-  next_.store(0, std::memory_order_relaxed);
+  const auto points_of = [&](std::int32_t k) { return first_point_[by_size_[k] + 1] - first_point_[by_size_[k]]; };
+  const auto fair_share = static_cast<std::int32_t>(point_.size() / result_.size());
+  for (shared_ = 0; result_.size() > 1 && shared_ < islands; ++shared_)
+    if (points_of(shared_) < std::max(fewest_shared_points, fair_share)) break;
+  next_.store(shared_, std::memory_order_relaxed);
+}
+
+void Islands::solve_island(std::int32_t island, const IslandControl& control, int rank, IslandCrew& crew) {
+  const std::int32_t k = by_size_[island], body = first_body_[k], point = first_point_[k];
+  const IslandResult result = solver_[rank].solve(
+      {island_body_.data() + body, static_cast<std::size_t>(first_body_[k + 1] - body)},
+      {island_point_.data() + point, static_cast<std::size_t>(first_point_[k + 1] - point)}, control, crew);
+  IslandResult& worst = result_[rank];
+  worst.iterations = std::max(worst.iterations, result.iterations);
+  worst.error = larger(worst.error, result.error);
 }
 
 void Islands::solve(const IslandControl& control, int rank) {
-  IslandResult& worst = result_[rank];
+  if (rank == 0) {
+    const CrewService service(crew_);
+    for (std::int32_t k = 0; k < shared_; ++k) solve_island(k, control, rank, crew_);
+  }
   for (;;) {
     const std::int32_t next = next_.fetch_add(1, std::memory_order_relaxed);
-    if (next >= static_cast<std::int32_t>(by_size_.size())) return;
-    const std::int32_t k = by_size_[next], body = first_body_[k], point = first_point_[k];
-    const IslandResult result = solver_[rank].solve(
-        {island_body_.data() + body, static_cast<std::size_t>(first_body_[k + 1] - body)},
-        {island_point_.data() + point, static_cast<std::size_t>(first_point_[k + 1] - point)}, control);
-    worst.iterations = std::max(worst.iterations, result.iterations);
-    worst.error = larger(worst.error, result.error);
+    if (next >= static_cast<std::int32_t>(by_size_.size())) break;
+    solve_island(next, control, rank, alone_);
   }
+  if (rank > 0) crew_.serve();
 }
 
 IslandResult Islands::worst() const {

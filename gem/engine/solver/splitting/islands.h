@@ -23,12 +23,14 @@ class Islands {
   void set_point(std::int32_t i, const IslandPoint& point) { point_[i] = point; }
   /// Finds the islands, after all bodies and points are set.
   void find();
-  /// Solves islands until none is left, and writes the impulses of their points. Threads may call it side by side.
+  /// Solves islands until none is left, and writes the impulses of their points. All threads of begin() call it side by
+  /// side. Those with nothing left to do help thread 0 with the largest islands.
   void solve(const IslandControl& control, int rank);
   /// The most iterations and the largest error of all islands.
   IslandResult worst() const;
 
  private:
+  void solve_island(std::int32_t island, const IslandControl& control, int rank, IslandCrew& crew);
   std::int32_t root_of(std::int32_t body);
   std::int32_t number_islands();
 
@@ -40,7 +42,9 @@ class Islands {
   std::vector<IslandBody> island_body_;
   std::vector<IslandPoint> island_point_;
   std::vector<std::int32_t> first_body_, first_point_, index_, by_size_;
-  std::vector<IslandSolver> solver_;   // of each thread
+  std::vector<IslandSolver> solver_;  // of each thread
+  std::int32_t shared_ = 0;           // the first islands of by_size_, which all threads solve together
+  IslandCrew crew_, alone_;
   std::vector<IslandResult> result_;   // of each thread: the worst
   std::atomic<std::int32_t> next_{0};  // place in by_size_
 };

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <thread>
 #include <utility>
 #include <vector>
 
@@ -265,6 +266,73 @@ TEST(Islands, StopABlockWithGradientIterationsAfterARound) {
   control.gradient_first = true;
   EXPECT_LE(solve(by_both, control).error, control.tolerance);
   EXPECT_LE(by_both.fastest(), 2.0 * control.tolerance);
+}
+
+/// A sheet of bodies that runs into walls at its left and below: loops, so splitting takes over from the gradient.
+struct Sheet {
+  static constexpr std::int32_t side = 24;
+  std::vector<IslandBody> bodies;
+  std::vector<PointGeometry<double>> geometry;
+  std::vector<PointImpulse<double>> impulse;
+  std::vector<std::pair<std::int32_t, std::int32_t>> ends;
+
+  Sheet() {
+    for (std::int32_t i = 0; i < side * side; ++i)
+      bodies.push_back({{1.0 * (i % side), 1.0 * (i / side)},
+                        {-speed * (1.0 + 0.1 * (i % 7)), -speed},
+                        0.02 * (i % 5),
+                        {1.0 / (mass * (1.0 + i % 3)), 1.0 / (inertia * (1.0 + i % 3))}});
+    for (std::int32_t i = 0; i < side * side; ++i) {
+      add(i % side == 0 ? Islands::fixed : i - 1, i, {1.0, 0.0});
+      add(i < side ? Islands::fixed : i - side, i, {0.0, 1.0});
+    }
+    impulse.resize(ends.size());
+  }
+
+  void add(std::int32_t a, std::int32_t b, Vec2 normal) {
+    PointGeometry<double> g{};
+    g.normal_x = normal.x;
+    g.normal_y = normal.y;
+    g.lever_a_n = 0.1;
+    g.lever_a_t = 0.5;
+    g.lever_b_n = -0.1;
+    g.lever_b_t = -0.5;
+    g.friction = 0.3;
+    g.cap = 1e30;
+    g.repair_target = b % 4 == 0 ? 1e-3 : 0.0;
+    set_compliance(g, 4.0 / mass, 4.0 / inertia, 4.0 / inertia);
+    geometry.push_back(g);
+    ends.emplace_back(a, b);
+  }
+
+  /// Impulses after a solution by so many threads.
+  std::vector<PointImpulse<double>> solved_by(int threads) {
+    Islands islands;
+    islands.begin(side * side, static_cast<std::int32_t>(ends.size()), threads);
+    for (std::int32_t k = 0; k < side * side; ++k) islands.set_body(k, bodies[k]);
+    for (std::size_t k = 0; k < ends.size(); ++k)
+      islands.set_point(static_cast<std::int32_t>(k), {ends[k].first, ends[k].second, &geometry[k], &impulse[k], {}});
+    islands.find();
+    std::vector<std::thread> helpers;
+    for (int rank = 1; rank < threads; ++rank)
+      helpers.emplace_back([&islands, rank] { islands.solve(control_of(1e-4, 192), rank); });
+    islands.solve(control_of(1e-4, 192), 0);
+    for (std::thread& helper : helpers) helper.join();
+    EXPECT_GT(islands.worst().iterations, 32);
+    return impulse;
+  }
+};
+
+TEST(Islands, OfAnyNumberOfThreadsHaveTheSameBits) {
+  const std::vector<PointImpulse<double>> one = Sheet().solved_by(1);
+  for (const int threads : {2, 3, 5}) {
+    const std::vector<PointImpulse<double>> some = Sheet().solved_by(threads);
+    for (std::size_t k = 0; k < one.size(); ++k) {
+      EXPECT_EQ(one[k].normal, some[k].normal) << threads << " threads, point " << k;
+      EXPECT_EQ(one[k].tangential, some[k].tangential) << threads << " threads, point " << k;
+      EXPECT_EQ(one[k].repair, some[k].repair) << threads << " threads, point " << k;
+    }
+  }
 }
 
 }  // namespace

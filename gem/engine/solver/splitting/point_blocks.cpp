@@ -59,19 +59,45 @@ GEM_INLINE void PointBlocks::push_blocks(const std::vector<BodyRow>& now, std::v
   }
 }
 
-template <PointFriction law, bool repairs>
-GEM_INLINE void PointBlocks::visit_blocks(const std::vector<BodyRow>& now, std::vector<BodyRow>& to) {
-  for (Block& q : block_) {
+template <PointFriction law, bool repairs, bool keeps>
+GEM_INLINE void PointBlocks::visit_blocks(const Visit& v) {
+  for (std::int32_t k = v.first; k < v.last; ++k) {
+    Block& q = block_[k];
     FloatPack a[4], b[4];
-    load_motions<0>(now, q.a, a);
-    load_motions<0>(now, q.b, b);
-    push_bodies<0>(q, q.a, q.b, to, visit_point<law>(q, a, b));
+    load_motions<0>(v.now, q.a, a);
+    load_motions<0>(v.now, q.b, b);
+    const PointShare<FloatPack> share = visit_point<law>(q, a, b);
+    PointShare<FloatPack> repair{};
     if constexpr (repairs) {
-      load_motions<1>(now, q.a, a);
-      load_motions<1>(now, q.b, b);
-      push_bodies<1>(q, q.a, q.b, to, visit_repair(q, a, b));
+      load_motions<1>(v.now, q.a, a);
+      load_motions<1>(v.now, q.b, b);
+      repair = visit_repair(q, a, b);
+    }
+    BlockPushes<repairs> pushes;
+    set_push_rows<repairs>(q.n_b, q.t_b, share, repair, pushes.b);
+    set_push_rows<repairs>(q.n_a, q.t_a, share, repair, pushes.a);
+    if constexpr (keeps) {
+      __builtin_memcpy(&kept_[k], &pushes, sizeof pushes);
+    } else {
+      add_push_rows<repairs>(v.sum, q.b, pushes.b);
+      add_push_rows<repairs>(v.sum, q.a, pushes.a);
     }
   }
+}
+
+/// Adds the kept pushes of all blocks from `first` on.
+template <bool repairs>
+GEM_INLINE void PointBlocks::add_kept_blocks(std::int32_t first, std::vector<BodyRow>& sum) const {
+  for (std::size_t k = first; k < block_.size(); ++k) {
+    BlockPushes<repairs> pushes;
+    __builtin_memcpy(&pushes, &kept_[k], sizeof pushes);
+    add_push_rows<repairs>(sum, block_[k].b, pushes.b);
+    add_push_rows<repairs>(sum, block_[k].a, pushes.a);
+  }
+}
+
+GEM_CLONES void PointBlocks::add_kept(std::int32_t first, std::vector<BodyRow>& sum) const {
+  repairs_ ? add_kept_blocks<true>(first, sum) : add_kept_blocks<false>(first, sum);
 }
 
 GEM_CLONES void PointBlocks::push(const std::vector<BodyRow>& now, std::vector<BodyRow>& sum) const {
@@ -79,24 +105,33 @@ GEM_CLONES void PointBlocks::push(const std::vector<BodyRow>& now, std::vector<B
 }
 
 template <PointFriction law>
-GEM_INLINE void PointBlocks::visit_law(const std::vector<BodyRow>& now, std::vector<BodyRow>& sum) {
-  repairs_ ? visit_blocks<law, true>(now, sum) : visit_blocks<law, false>(now, sum);
+GEM_INLINE void PointBlocks::visit_law(const Visit& v) {
+  if (v.keeps)
+    repairs_ ? visit_blocks<law, true, true>(v) : visit_blocks<law, false, true>(v);
+  else
+    repairs_ ? visit_blocks<law, true, false>(v) : visit_blocks<law, false, false>(v);
 }
 
-GEM_CLONES void PointBlocks::visit_frictionless(const std::vector<BodyRow>& now, std::vector<BodyRow>& sum) {
-  visit_law<PointFriction::none>(now, sum);
-}
-GEM_CLONES void PointBlocks::visit_coulomb(const std::vector<BodyRow>& now, std::vector<BodyRow>& sum) {
-  visit_law<PointFriction::coulomb>(now, sum);
-}
-GEM_CLONES void PointBlocks::visit_fixed_direction(const std::vector<BodyRow>& now, std::vector<BodyRow>& sum) {
-  visit_law<PointFriction::fixed_direction>(now, sum);
+GEM_CLONES void PointBlocks::visit_frictionless(const Visit& v) { visit_law<PointFriction::none>(v); }
+GEM_CLONES void PointBlocks::visit_coulomb(const Visit& v) { visit_law<PointFriction::coulomb>(v); }
+GEM_CLONES void PointBlocks::visit_fixed_direction(const Visit& v) { visit_law<PointFriction::fixed_direction>(v); }
+
+void PointBlocks::visit(PointFriction law, const Visit& v) {
+  if (law == PointFriction::none) visit_frictionless(v);
+  if (law == PointFriction::coulomb) visit_coulomb(v);
+  if (law == PointFriction::fixed_direction) visit_fixed_direction(v);
 }
 
-void PointBlocks::visit(PointFriction law, const std::vector<BodyRow>& now, std::vector<BodyRow>& sum) {
-  if (law == PointFriction::none) visit_frictionless(now, sum);
-  if (law == PointFriction::coulomb) visit_coulomb(now, sum);
-  if (law == PointFriction::fixed_direction) visit_fixed_direction(now, sum);
+/// The first part adds its pushes at once. Those of the others are added after it, so that each body gets its pushes in
+/// the order of the points.
+void PointBlocks::visit(PointFriction law, const std::vector<BodyRow>& now, std::vector<BodyRow>& sum,
+                        IslandCrew& crew) {
+  const auto blocks = static_cast<std::int64_t>(block_.size());
+  const int parts = crew.parts();
+  if (parts > 1) kept_.resize(block_.size());
+  const auto first_of = [&](int part) { return static_cast<std::int32_t>(blocks * part / parts); };
+  crew.share([&](int part) { visit(law, {now, sum, first_of(part), first_of(part + 1), part > 0}); });
+  if (parts > 1) add_kept(first_of(1), sum);
 }
 
 template <PointFriction law, bool repairs>

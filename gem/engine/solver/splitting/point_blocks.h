@@ -7,6 +7,7 @@
 
 #include "gem/engine/solver/splitting/body_rows.h"
 #include "gem/engine/solver/splitting/front_factor.h"
+#include "gem/engine/solver/splitting/island_crew.h"
 #include "gem/engine/solver/splitting/split_point.h"
 
 namespace gem {
@@ -29,7 +30,7 @@ class PointBlocks {
   /// Adds what the points ask of the bodies to `sum`. `now`: motions of the bodies.
   void push(const std::vector<BodyRow>& now, std::vector<BodyRow>& sum) const;
   /// Visits all points, and adds what they ask of the bodies to `sum`.
-  void visit(PointFriction law, const std::vector<BodyRow>& now, std::vector<BodyRow>& sum);
+  void visit(PointFriction law, const std::vector<BodyRow>& now, std::vector<BodyRow>& sum, IslandCrew& crew);
   /// Sets the impulses that the velocities ask for, without over-relaxation, and adds their pushes to `given`. Points
   /// that stick get exactly what the bodies have.
   void answer(PointFriction law, const std::vector<BodyRow>& now, std::vector<BodyRow>& given);
@@ -55,20 +56,37 @@ class PointBlocks {
   };
   template <bool repairs>
   void push_blocks(const std::vector<BodyRow>& now, std::vector<BodyRow>& sum) const;
-  template <PointFriction law, bool repairs>
-  void visit_blocks(const std::vector<BodyRow>& now, std::vector<BodyRow>& sum);
+  /// Pushes of a block on its bodies.
+  template <bool repairs>
+  struct BlockPushes {
+    PushRows<repairs> b, a;
+  };
+  /// Some blocks, and where their pushes go: to `sum`, or beside the block in kept_ if they are to be added later.
+  struct Visit {
+    const std::vector<BodyRow>& now;
+    std::vector<BodyRow>& sum;
+    std::int32_t first, last;
+    bool keeps;
+  };
+  template <PointFriction law, bool repairs, bool keeps>
+  void visit_blocks(const Visit& v);
   template <PointFriction law>
-  void visit_law(const std::vector<BodyRow>& now, std::vector<BodyRow>& sum);
+  void visit_law(const Visit& v);
+  template <bool repairs>
+  void add_kept_blocks(std::int32_t first, std::vector<BodyRow>& sum) const;
+  void add_kept(std::int32_t first, std::vector<BodyRow>& sum) const;
+  void visit(PointFriction law, const Visit& v);
   template <PointFriction law, bool repairs>
   void answer_blocks(const std::vector<BodyRow>& now, std::vector<BodyRow>& given);
   template <PointFriction law>
   void answer_law(const std::vector<BodyRow>& now, std::vector<BodyRow>& given);
   // Each is built for AVX2 too.
-  void visit_frictionless(const std::vector<BodyRow>& now, std::vector<BodyRow>& sum);
-  void visit_coulomb(const std::vector<BodyRow>& now, std::vector<BodyRow>& sum);
-  void visit_fixed_direction(const std::vector<BodyRow>& now, std::vector<BodyRow>& sum);
+  void visit_frictionless(const Visit& v);
+  void visit_coulomb(const Visit& v);
+  void visit_fixed_direction(const Visit& v);
 
   std::vector<Block> block_;
+  std::vector<BlockPushes<true>> kept_;
   bool repairs_ = false;  // whether any point repairs an overlap
 };
 

@@ -153,7 +153,7 @@ export class Overlay {
     const {camera, pose, run} = this.view, {start, xy} = run.shapes;
     const outline = [];
     for (let k = start[i]; k < start[i + 1]; ++k) outline.push([xy[2 * k], xy[2 * k + 1]]);
-    path(context, camera, outline, pose.x[i], pose.y[i], pose.cosine[i], pose.sine[i]);
+    path(context, camera, [outline], pose.x[i], pose.y[i], pose.cosine[i], pose.sine[i]);
   }
 
   // Floes that press on the platform now, those that made a load, and the selected one.

@@ -1,4 +1,4 @@
-// A floe that is too wide for the notch of a platform of several pieces, under the push of a current (H20).
+// Floes in a notch, under the push of a current: one too wide for it (H20), one with a little room in it (H21).
 #include <algorithm>
 #include <cmath>
 
@@ -42,6 +42,25 @@ TEST_P(HardNotch, H20_a_floe_too_wide_for_its_notch) {
   bound("H20.overlap", overlaps(run.bodies()).deepest, 0.011, "m", where());
   EXPECT_GE(run.contacts_now(), 6) << "the floes do not rest on each other and in the notch";
   expect_sound("H20", run);
+}
+
+TEST_P(HardNotch, H21_a_floe_with_room_in_its_notch) {
+  const SceneDef scene = read_hard_case("H21_room_in_a_notch.toml", setting());
+  Watched run(scene, setting());
+  double residual = 0.0;
+  std::int64_t in_notch = 0;
+  run.advance(8000, 1, [&] {
+    residual = std::max(residual, run.log().quality.back().residual);
+    if (run.contacts_now() >= 4) ++in_notch;
+  });
+  EXPECT_GT(in_notch, 4000) << "the floes do not rest on each other and in the notch";
+  const double tolerance =
+      default_end(Iteration::splitting).residual_tolerance * length(scene.current.velocity_m_per_s);
+  bound("H21.residual", residual, tolerance, "m/s", where());
+  // a time step adds what the tolerance allows at each of the four contacts of a floe, and takes back `repair_share`
+  const double added = 4.0 * tolerance * scene.numerics.time_step_s;
+  bound("H21.overlap", run.worst().overlap, added / scene.numerics.repair_share, "m", where());
+  expect_sound("H21", run);
 }
 
 }  // namespace

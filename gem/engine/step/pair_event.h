@@ -173,11 +173,12 @@ GEM_HD inline PointGeometry<double> point_geometry(const StepConstants& c, const
 constexpr double repair_memory = 0.9;
 
 /// Repair that a point starts from [kg m]; `last` is the repair of the last time step. A negligible repair is dropped:
-/// one that shifts the bodies by less than 1e-9 of the largest repair of a time step (chosen by hand).
+/// one that shifts the bodies by less than 1e-9 of the largest repair of a time step (chosen by hand). So is one that
+/// single precision cannot carry: where no shift removes all overlaps, repairs grow from time step to time step (H21).
 GEM_HD inline double repair_to_go_on(const StepConstants& c, double last, double nn) {
-  constexpr double negligible = 1e-9;
-  const double repair = repair_memory * last;
-  return repair * nn > negligible * c.repair_speed * c.dt ? repair : 0.0;
+  constexpr double negligible = 1e-9, too_large = 1e4;
+  const double repair = repair_memory * last, largest_shift = c.repair_speed * c.dt;
+  return repair * nn > negligible * largest_shift && repair * nn < too_large * largest_shift ? repair : 0.0;
 }
 
 /// Velocity change of a body from an impulse at `arm`; the other body of the pair gets the opposite impulse.

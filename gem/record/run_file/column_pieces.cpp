@@ -54,7 +54,10 @@ double largest_value(const RunFile& file, const std::string& dataset) {
 
 double last_value(const RunFile& file, const std::string& dataset) {
   const std::size_t rows = file.has(dataset) ? file.rows(dataset) : 0;
-  return rows == 0 ? 0.0 : file.column_rows(dataset, rows - 1, 1).at(0);
+  if (rows == 0) return 0.0;
+  const std::vector<double> row = file.column_rows(dataset, rows - 1, 1);
+  if (row.empty()) refuse(file, dataset + " has rows without values");
+  return row.front();
 }
 
 OverlapCount overlaps_of(const RunFile& file, const std::string& dataset) {

@@ -166,6 +166,7 @@ inline std::vector<Crafted> crafted_structures() {
       {"column missing", [](hid_t f) { H5Ldelete(f, "platform/y", H5P_DEFAULT); }, "platform/y has 0 rows"},
       {"column with two dimensions", dataset("platform/x", {H5T_IEEE_F64LE, {201, 2}}), "platform/x has 402 rows"},
       {"column without dimension", dataset("floes/time", {H5T_IEEE_F64LE, {}}), "a single value, not rows"},
+      {"rows without values", dataset("floes/time", {H5T_IEEE_F64LE, {3, 0}}), "floes/time has rows without values"},
       {"time that falls", dataset("platform/time", {H5T_IEEE_F64LE, {201}, [](hid_t) {}, with(ramp, 100, 0.0)}),
        "platform/time does not ascend at row 100"},
       {"time that is no number", dataset("stats/time", {H5T_IEEE_F64LE, {201}, [](hid_t) {}, with(ramp, 3, nan)}),

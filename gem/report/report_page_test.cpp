@@ -40,6 +40,26 @@ TEST_F(Report, IsOnePageWithItsFiguresInside) {
   EXPECT_EQ(html.find("src="), std::string::npos);
 }
 
+TEST_F(Report, ShowsTheForcesOnFixedBodies) {
+  RunData run = swinging_platform();
+  run.on_fixed.force.resize(2);
+  for (int n = 1; n <= 40; ++n) {
+    run.on_fixed.time.push_back(10.0 * n);
+    run.on_fixed.force[0].push_back({3e3, 4e3});
+    run.on_fixed.force[1].push_back({0.0, 0.0});  // no ice came
+  }
+  write_report(run, out(), false);
+  EXPECT_NE(page().find("<th scope=\"row\">fixed body 1</th><td>no contact</td>"), std::string::npos);
+  EXPECT_NE(page().find("Force of the ice on fixed bodies"), std::string::npos);
+  std::ifstream script(folder_ / "report" / "figures" / "fixed_force.gp");
+  const std::string text{std::istreambuf_iterator<char>(script), {}};
+  EXPECT_NE(text.find("fixed_force_0.csv"), std::string::npos) << text;
+  EXPECT_EQ(text.find("fixed_force_1.csv"), std::string::npos) << text;
+  std::ifstream curve(folder_ / "report" / "figures" / "fixed_force_0.csv");
+  const std::string rows{std::istreambuf_iterator<char>(curve), {}};
+  EXPECT_NE(rows.find(",5\n"), std::string::npos) << rows;  // 3 and 4 kN
+}
+
 // The impulse belongs to the sample that ends at 200 s. Its mean over 1 s is recorded there and drawn at 199.5 s.
 TEST_F(Report, DrawsTheWindowsMeanAtItsMiddle) {
   RunData run = swinging_platform();

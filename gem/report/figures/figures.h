@@ -24,7 +24,8 @@ Figure small_field_figure(const RunData& run, const std::string& name, const std
 /// x(t), y(t), the orbit and the spectra of both.
 std::vector<Figure> motion_figures(const RunData& run, const RunFindings& findings, const PlotFolder& folder);
 
-/// Net ice force with an extract (force_window.h), and ice against mooring force.
+/// Net ice force with an extract (force_window.h), ice against mooring force, and what else drives or holds the
+/// platform; forces on fixed bodies.
 std::vector<Figure> force_figures(const RunData& run, const PlotFolder& folder);
 
 /// Offset, yaw error and used thrust of dynamic positioning; none without thrusters.
@@ -32,6 +33,9 @@ std::vector<Figure> dp_figures(const RunData& run, const PlotFolder& folder);
 
 /// Resistance and side force of the ice along the path; none without transit.
 std::vector<Figure> transit_figures(const RunData& run, const PlotFolder& folder);
+
+/// Force of the ice on fixed bodies; none without [[fixed]] or without forces between bodies in the run file.
+std::vector<Figure> fixed_figures(const RunData& run, const PlotFolder& folder);
 
 /// Residuals of the books, and overlap, against time.
 std::vector<Figure> book_figures(const RunData& run, const PlotFolder& folder);

@@ -138,11 +138,12 @@ Figure draw_ice_and_mooring(const RunData& run, const PlotFolder& folder) {
 }  // namespace
 
 std::vector<Figure> force_figures(const RunData& run, const PlotFolder& folder) {
-  if (run.platform.time.size() < kSamplesForStatistics) return {};
+  if (run.platform.time.size() < kSamplesForStatistics) return fixed_figures(run, folder);
   std::vector<Figure> figures = {draw_ice_force(run, folder)};
   if (run.is_held && !run.transit.present) figures.push_back(draw_ice_and_mooring(run, folder));
   for (Figure& figure : transit_figures(run, folder)) figures.push_back(std::move(figure));
   for (Figure& figure : dp_figures(run, folder)) figures.push_back(std::move(figure));
+  for (Figure& figure : fixed_figures(run, folder)) figures.push_back(std::move(figure));
   return figures;
 }
 

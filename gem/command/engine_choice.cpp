@@ -14,8 +14,6 @@ std::vector<std::string> engine_choices() {
 std::unique_ptr<Engine> engine_for(const SceneDef& scene, const Bodies& field, const EngineOptions& options) {
   if (options.name != "auto") return make_engine(scene, field, options);
   EngineOptions chosen = options;
-  chosen.name = "cpu";
-  if (platform_bodies(field) > 1) return make_engine(scene, field, chosen);  // cuda refuses them
   try {
     chosen.name = "cuda";
     return make_engine(scene, field, chosen);

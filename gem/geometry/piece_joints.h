@@ -9,6 +9,7 @@
 
 #include <vector>
 
+#include "gem/base/macros.h"
 #include "gem/base/vec2.h"
 
 namespace gem {
@@ -20,7 +21,7 @@ inline constexpr double piece_touch = 1e-3;
 struct Normals {
   Vec2 first, last;
 
-  bool hold(Vec2 n) const {
+  GEM_HD bool hold(Vec2 n) const {
     // sine of the angle below which two directions are one: far above rounding, far below angles between sides
     constexpr double one_direction = 1e-6;
     return cross(first, n) >= -one_direction && cross(n, last) >= -one_direction && dot(n, first + last) > 0.0;

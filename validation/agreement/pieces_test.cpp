@@ -1,7 +1,8 @@
 // A platform of several pieces: the reference engine judges the cpu engine; threads, blocks and restarts keep its bits;
-// other engines refuse it.
+// the cuda engine has them.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -70,17 +71,27 @@ struct PieceWay {
   Iteration iteration;
 };
 
+constexpr PieceWay piece_ways[] = {{"independent", ContactSolver::independent, Iteration::splitting},
+                                   {"gradient", ContactSolver::coupled, Iteration::gradient},
+                                   {"splitting", ContactSolver::coupled, Iteration::splitting}};
+
+struct NameOfWay {
+  std::string operator()(const testing::TestParamInfo<PieceWay>& way) const { return way.param.name; }
+};
+
+SceneDef scene_of(const PieceWay& way) {
+  SceneDef scene = test::pieces_scene(4);
+  scene.contact.solver = way.solver;
+  scene.numerics.iteration = way.iteration;
+  const IterationEnd end = default_end(way.iteration);
+  scene.numerics.residual_tolerance = end.residual_tolerance;
+  scene.numerics.iterations_maximum = end.iterations_maximum;
+  return scene;
+}
+
 class Pieces : public testing::TestWithParam<PieceWay> {
  protected:
-  SceneDef scene() const {
-    SceneDef scene = test::pieces_scene(4);
-    scene.contact.solver = GetParam().solver;
-    scene.numerics.iteration = GetParam().iteration;
-    const IterationEnd end = default_end(GetParam().iteration);
-    scene.numerics.residual_tolerance = end.residual_tolerance;
-    scene.numerics.iterations_maximum = end.iterations_maximum;
-    return scene;
-  }
+  SceneDef scene() const { return scene_of(GetParam()); }
 
   std::uint64_t hash_of(int threads, int block, bool restarts) const {
     auto engine = test::busy_engine(scene(), "cpu", threads);
@@ -104,11 +115,7 @@ class Pieces : public testing::TestWithParam<PieceWay> {
   }
 };
 
-INSTANTIATE_TEST_SUITE_P(Ways, Pieces,
-                         testing::Values(PieceWay{"independent", ContactSolver::independent, Iteration::splitting},
-                                         PieceWay{"gradient", ContactSolver::coupled, Iteration::gradient},
-                                         PieceWay{"splitting", ContactSolver::coupled, Iteration::splitting}),
-                         [](const auto& info) { return std::string(info.param.name); });
+INSTANTIATE_TEST_SUITE_P(Ways, Pieces, testing::ValuesIn(piece_ways), NameOfWay());
 
 TEST_P(Pieces, ThreadsBlocksAndRestartsChangeNoBit) {
   const std::uint64_t whole = hash_of(1, 400, false);
@@ -127,17 +134,55 @@ TEST_P(Pieces, TheBooksClose) {
   EXPECT_LT(left.energy, 1e-12);
 }
 
-class PiecesOnGpu : public OnGpu {};
-
-TEST_F(PiecesOnGpu, AreRefusedWithAnEngineThatHasThem) {
-  try {
-    test::busy_engine(test::pieces_scene(4), "cuda");
-    FAIL() << "accepted";
-  } catch (const Error& error) {
-    EXPECT_EQ(error.code(), ExitCode::usage);
-    EXPECT_NE(std::string(error.what()).find("use --engine cpu"), std::string::npos) << error.what();
+/// A scene with pieces on both routes of the GPU, in batches beside scenes with a platform of one piece.
+class PiecesOnGpu : public OnGpu, public testing::WithParamInterface<PieceWay> {
+ protected:
+  void expect_bits_of_cpu(const SceneDef& scene, Route route) const {
+    SceneDef other = test::busy_scene(9);
+    other.contact.solver = scene.contact.solver;
+    other.numerics = scene.numerics;
+    const auto cpu = test::busy_engine(scene, "cpu"), beside = test::busy_engine(other, "cpu");
+    CudaBatch batch(
+        {{other, test::busy_field(other)}, {scene, test::busy_field(scene)}, {scene, test::busy_field(scene)}},
+        {.route = route});
+    StepLog expected, ignored;
+    std::vector<StepLog> logs(3);
+    for (const std::int64_t steps : {1, 7, 592, 40}) {
+      cpu->advance(steps, expected);
+      beside->advance(steps, ignored);
+      batch.advance(steps, &logs);
+      EXPECT_EQ(batch.state_hash(0), beside->state_hash()) << "one piece";
+      for (const std::size_t k : {1, 2}) {
+        test::expect_same_bodies(batch.bodies(k), cpu->bodies());
+        EXPECT_EQ(batch.state_hash(k), cpu->state_hash());
+        test::expect_same_log(logs[k], expected);
+        if (scene.contact.solver == ContactSolver::coupled) test::expect_same_judgement(logs[k], expected);
+        test::expect_same_books(batch.ledger(k), cpu->ledger());
+        test::expect_same_memory(batch.save(k), cpu->save());
+      }
+      if (HasFailure()) return;
+    }
+    for (std::int32_t piece = 0; piece < 3; ++piece)
+      EXPECT_TRUE(std::any_of(expected.events.begin(), expected.events.end(),
+                              [&](const ContactEvent& e) { return e.body_a == piece; }))
+          << "no ice at piece " << piece;
+    const EngineState half = batch.save(1);
+    cpu->restore(half);
+    batch.restore(1, half);
+    cpu->advance(20, expected);
+    batch.advance(20, &logs);
+    EXPECT_EQ(batch.state_hash(1), cpu->state_hash()) << "after a restart";
   }
+};
+
+TEST_P(PiecesOnGpu, GiveTheBitsOfTheCpu) {
+  const SceneDef scene = scene_of(GetParam());
+  expect_bits_of_cpu(scene, Route::phases);
+  if (scene.contact.solver == ContactSolver::independent || scene.numerics.iteration == Iteration::gradient)
+    expect_bits_of_cpu(scene, Route::resident);
 }
+
+INSTANTIATE_TEST_SUITE_P(Ways, PiecesOnGpu, testing::ValuesIn(piece_ways), NameOfWay());
 
 }  // namespace
 }  // namespace gem

@@ -23,7 +23,6 @@ class CudaScene {
   /// `status`: where the scene's status stands on the device. `blocks`: the most blocks that ever work on the scene.
   CudaScene(BatchScene scene, const CudaOptions& options, int blocks, DeviceStatus* status) : status_(status) {
     check_solver(scene.scene.contact.solver, {ContactSolver::independent, ContactSolver::coupled}, "cuda");
-    check_one_piece(scene.bodies, "cuda");
     check_device_steps(std::llround(scene.scene.run.duration_s / scene.scene.numerics.time_step_s));
     mooring_ = mooring_tables(scene.scene.mooring.law, scene.scene.mooring_design);
     dp_ = dp_law_of(scene.scene, scene.bodies);

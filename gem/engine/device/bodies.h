@@ -122,7 +122,7 @@ GEM_DEVICE inline bool is_finite(const Mover& mover, Vec2 velocity, double spin)
 template <ContactSolver solver, class Group>
 GEM_DEVICE inline void move_body(const DeviceScene& s, Group& group, const Workspace& workspace, std::int32_t i,
                                  const StepIndex& step) {
-  if (i == 0) return;  // a warp of its own moves the platform
+  if (s.constants.is_platform(i)) return;  // a warp of its own moves it
   BodyCell& cell = workspace.body[i];
   BodyMotion& motion = workspace.motion[i];
   Quantity drag_book = s.book(Channel::drag, i);

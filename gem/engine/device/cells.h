@@ -53,8 +53,9 @@ struct PlatformCell {
   double spin = 0.0;  // the same [rad/s]; DeviceScene::after has the spin after the pair events
   Quantity mooring_force;
   Vec2 mooring_before, drag_before;  // impulses summed since the start of the run, at the start of the time step [N s]
-  std::int32_t row_begin = 0;        // copy of BodyMotion::row_begin
-  LineSet broken = 0;                // lines of the mooring
+  // the rows of its pieces, which stand one after another
+  std::int32_t row_begin = 0, row_count = 0;
+  LineSet broken = 0;  // lines of the mooring
 };
 
 /// A near pair; A has the lower id.

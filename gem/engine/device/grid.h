@@ -244,7 +244,8 @@ GEM_DEVICE inline void each_near(const DeviceScene& s, const Lanes& lanes, const
   if (!cell.active) return;
   const ListBox box = s.box[i];
   const Vec2 velocity = s.motion[i].trajectory_velocity;
-  const std::int32_t lower_non_floes = is_non_floe(s, i) ? i : s.non_floes;
+  // the pieces of the platform do not meet each other
+  const std::int32_t lower_non_floes = s.constants.is_platform(i) ? 0 : is_non_floe(s, i) ? i : s.non_floes;
   for (std::int32_t first = 0; first < lower_non_floes; first += Lanes::size) {
     const std::int32_t j = first + lanes.rank();
     const bool meets =

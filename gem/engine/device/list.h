@@ -9,7 +9,8 @@
 //   4. put the floes in the range of their cell
 //   5. find the lower non-floes (platform, fixed bodies) near each body and, for a floe, the floes in three ranges of
 //   cells; write its row
-//   6. write the row of each non-floe, with the higher bodies near it
+//   6. write the row of each non-floe, with the higher bodies near it; the rows of the platform's pieces stand one
+//   after another
 //   7. make a pair for each near body with a higher id; it keeps its narrow-phase result if it was in the last list
 #pragma once
 
@@ -17,18 +18,23 @@
 
 namespace gem {
 
-/// Takes `count` entries for the row of body i. Returns false, with alarm_list_full, if the memory is too small.
+/// Takes `count` entries for the row of body i, for i = 0 for those of all pieces of the platform. Returns the index of
+/// the first; -1, with alarm_list_full, if the memory is too small.
 template <class Group>
-GEM_DEVICE inline bool take_row(const DeviceScene& s, Group& group, std::int32_t i, std::int32_t count,
-                                std::int32_t lower) {
+GEM_DEVICE inline std::int32_t take_entries(const DeviceScene& s, Group& group, std::int32_t i, std::int32_t count) {
   const std::int32_t begin = group.add(&s.counters->rows, count);
   const bool fits = begin + count <= s.rows_capacity && (i > 0 || count <= s.platform_capacity);
   if (!fits) group.raise(alarm_list_full);
+  return fits ? begin : -1;
+}
+
+/// Sets the row of body i to `count` entries from `begin` on. Without memory, `begin` = -1, the row is empty.
+GEM_DEVICE inline void set_row(const DeviceScene& s, std::int32_t i, std::int32_t begin, std::int32_t count,
+                               std::int32_t lower) {
+  const bool fits = begin >= 0;
   s.motion[i].row_begin = fits ? begin : 0;
-  if (i == 0) s.platform->row_begin = s.motion[i].row_begin;
   s.motion[i].row_count = fits ? count : 0;
   s.motion[i].lower_count = fits ? lower : 0;
-  return fits;
 }
 
 /// Sorts a short row; work of one thread.
@@ -75,7 +81,10 @@ GEM_DEVICE inline void find_near(const DeviceScene& s, Group& group, const ListG
       continue;
     }
     std::int32_t begin = 0;
-    if (lanes.rank() == 0) begin = take_row(s, group, i, count, lower) ? s.motion[i].row_begin : -1;
+    if (lanes.rank() == 0) {
+      begin = take_entries(s, group, i, count);
+      set_row(s, i, begin, count, lower);
+    }
     begin = lanes.from(begin, 0);
     if (begin < 0) continue;
     lanes.sync();  // all lanes see what each has kept
@@ -95,35 +104,62 @@ GEM_DEVICE inline void find_near(const DeviceScene& s, Group& group, const ListG
   }
 }
 
-/// Step 6: a warp for each non-floe, a word of 32 bodies for each lane.
+/// The length of the row of non-floe i, by a warp.
+template <class Warp>
+GEM_DEVICE inline std::int32_t count_row(const DeviceScene& s, const Warp& warp, std::int32_t i) {
+  const std::int32_t words = bit_words(s);
+  const std::uint32_t* const bits = s.near_non_floe + i * words;
+  std::int32_t count = 0;
+  for (std::int32_t w = warp.rank(); w < words; w += Warp::size) count += warp.count(bits[w]);
+  return s.motion[i].lower_count + warp.sum(count);
+}
+
+/// Writes the row of non-floe i, by a warp: a word of 32 bodies for each lane.
+template <class Warp>
+GEM_DEVICE inline void write_row(const DeviceScene& s, const Warp& warp, std::int32_t i) {
+  const std::int32_t words = bit_words(s);
+  const std::uint32_t* const bits = s.near_non_floe + i * words;
+  std::int32_t* const row = s.row_other + s.motion[i].row_begin;
+  std::int32_t placed = 0;
+  for (std::int32_t j = 0; j < i && warp.rank() == 0; ++j)
+    if (s.near_non_floe[j * words + i / 32] >> (i % 32) & 1U) row[placed++] = j;
+  placed = s.motion[i].lower_count;
+  for (std::int32_t first = 0; first < words; first += Warp::size) {
+    const std::int32_t w = first + warp.rank();
+    const std::uint32_t mine = w < words ? bits[w] : 0;
+    std::int32_t at = placed + warp.sum_below(warp.count(mine));
+    for (std::int32_t k = 0; k < 32 && mine >> k != 0; ++k)
+      if (mine >> k & 1U) row[at++] = 32 * w + k;
+    placed += warp.sum(warp.count(mine));
+  }
+}
+
+/// Step 6: a warp for each non-floe. That of body 0 writes the rows of all pieces of the platform, one after another.
 template <class Group>
 GEM_DEVICE inline void rows_of_non_floes(const DeviceScene& s, Group& group) {
   const auto warp = group.warp();
-  const std::int32_t words = bit_words(s);
   for (std::int32_t i = rank_of(group) / Group::Warp::size; i < s.non_floes; i += size_of(group) / Group::Warp::size) {
-    const std::uint32_t* bits = s.near_non_floe + i * words;
-    const std::int32_t lower = s.motion[i].lower_count;
+    if (i > 0 && s.constants.is_platform(i)) continue;
+    const std::int32_t end = i == 0 ? s.constants.pieces : i + 1;
     std::int32_t count = 0;
-    for (std::int32_t w = warp.rank(); w < words; w += Group::Warp::size) count += warp.count(bits[w]);
-    count = lower + warp.sum(count);
-    if (warp.rank() == 0) {
-      if (i == 0) s.status->platform_needed = count;
-      take_row(s, group, i, count, lower);
+    for (std::int32_t j = i; j < end; ++j) {
+      const std::int32_t own = count_row(s, warp, j);
+      if (warp.rank() == 0) s.motion[j].row_count = own;
+      count += own;
     }
-    warp.sync();
-    if (s.motion[i].row_count == 0) continue;
-    std::int32_t* row = s.row_other + s.motion[i].row_begin;
-    std::int32_t placed = 0;
-    for (std::int32_t j = 0; j < i && warp.rank() == 0; ++j)
-      if (s.near_non_floe[j * words + i / 32] >> (i % 32) & 1U) row[placed++] = j;
-    placed = lower;
-    for (std::int32_t first = 0; first < words; first += Group::Warp::size) {
-      const std::int32_t w = first + warp.rank();
-      const std::uint32_t mine = w < words ? bits[w] : 0;
-      std::int32_t at = placed + warp.sum_below(warp.count(mine));
-      for (std::int32_t k = 0; k < 32 && mine >> k != 0; ++k)
-        if (mine >> k & 1U) row[at++] = 32 * w + k;
-      placed += warp.sum(warp.count(mine));
+    std::int32_t begin = warp.rank() == 0 ? take_entries(s, group, i, count) : 0;
+    begin = warp.from(begin, 0);
+    if (i == 0 && warp.rank() == 0) {
+      s.status->platform_needed = count;
+      s.platform->row_begin = begin < 0 ? 0 : begin;
+      s.platform->row_count = begin < 0 ? 0 : count;
+    }
+    for (std::int32_t j = i; j < end; ++j) {
+      if (warp.rank() == 0) set_row(s, j, begin, s.motion[j].row_count, s.motion[j].lower_count);
+      warp.sync();
+      if (begin < 0) continue;
+      write_row(s, warp, j);
+      begin += s.motion[j].row_count;
     }
   }
 }

@@ -5,6 +5,7 @@
 #include "gem/engine/device/workspace.h"
 #include "gem/engine/step/motion_bound.h"
 #include "gem/engine/step/pair_event.h"
+#include "gem/geometry/piece_axis.h"
 
 namespace gem {
 
@@ -94,6 +95,14 @@ GEM_DEVICE inline void write_touching(TouchingPair& touching, std::int32_t pair,
   }
 }
 
+/// The contact of a piece of the platform. Out of line: most scenes have none, and should not take its registers.
+GEM_DEVICE GEM_NOINLINE inline ContactGeometry contact_of_piece(const DeviceScene& s, const CandidatePair& item,
+                                                                const Outline& a, const Outline& b,
+                                                                const Separation& axis) {
+  return piece_face_contact(a, s.piece_corner + item.vertex_a, item.rotation_a, b, item.offset, axis,
+                            s.constants.contact_margin);
+}
+
 /// Runs the narrow phase for some items. Each group of lanes takes one item. Few items need a search of all axes: the
 /// whole warp does it. Few items touch: wider groups compute their contacts. place(points) returns the TouchingPlace
 /// for a contact of `points` points.
@@ -154,6 +163,10 @@ class NarrowPhase {
                      : outline_in_workspace(s_, outlines_[lane_group], 1, item.vertex_b, item.count_b);
   }
 
+  GEM_DEVICE bool is_of_piece(const CandidatePair& item) const {
+    return s_.piece_corner && s_.constants.is_platform(pair_[item.pair].a);
+  }
+
   /// The contact geometry of a touching pair, by a wide group.
   GEM_DEVICE void describe(std::int32_t at, int lane_group) {
     const auto wide = group_.wide();
@@ -164,8 +177,9 @@ class NarrowPhase {
     if (chord) sum = lane::chord_sum(wide, a, b, item.offset);
     if (wide.rank() != 0) return;
     const Separation axis = pair_[item.pair].axes.first;
-    const ContactGeometry geometry =
-        chord ? chord_geometry(a, b, item.offset, axis, sum) : face_contact(a, b, item.offset, axis, limit());
+    const ContactGeometry geometry = chord               ? chord_geometry(a, b, item.offset, axis, sum)
+                                     : is_of_piece(item) ? contact_of_piece(s_, item, a, b, axis)
+                                                         : face_contact(a, b, item.offset, axis, limit());
     if (geometry.count == 0) return;
     const TouchingPlace to = place_(geometry.count);
     write_touching(s_.touching[to.touching], item.pair, to.first_point, geometry);

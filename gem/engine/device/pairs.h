@@ -109,12 +109,13 @@ GEM_DEVICE inline void open_touching(const DeviceScene& s, Group& group, const P
   const BodyCell &a = s.body[pair.a], &b = s.body[pair.b];
   Contact contact;
   open_contact(contact, pair.a, pair.b, touching.geometry, b.position - a.position);
+  const bool on_platform = s.constants.is_platform(pair.a);
   Vec2 shift;
-  if (pair.a == 0) shift = s.platform->mid_position - a.position;
+  if (on_platform) shift = s.platform->mid_position - a.position;
   prepare(s.constants, pair_bodies(a, b), shift, contact);
   keep_open_contact(s.contact[touching.pair], contact);
   open_points(s, group, pair, touching, step);
-  if (s.wants_events && pair.a == 0 && b.kind == BodyKind::floe)
+  if (s.wants_events && on_platform && b.kind == BodyKind::floe)
     keep_event(s, pair.row_a - s.platform->row_begin, a, b, contact, step);
   note_depth(s, group, contact);
 }
@@ -127,13 +128,14 @@ GEM_DEVICE inline void resolve(const DeviceScene& s, Group& group, const PairCel
   Contact contact;
   open_contact(contact, pair.a, pair.b, touching.geometry, b.position - a.position);
   const PairBodies bodies = pair_bodies(a, b);
+  const bool on_platform = s.constants.is_platform(pair.a);
   Vec2 shift;
-  if (pair.a == 0) shift = s.platform->mid_position - a.position;
+  if (on_platform) shift = s.platform->mid_position - a.position;
   prepare(s.constants, bodies, shift, contact);
   resolve_alone(s.constants, bodies.mass_a, bodies.mass_b, contact);
   keep_contact(s.contact[touching.pair], contact);
   write_rows(s, pair, bodies, contact, step);
-  if (s.wants_events && pair.a == 0 && b.kind == BodyKind::floe && presses(contact))
+  if (s.wants_events && on_platform && b.kind == BodyKind::floe && presses(contact))
     keep_event(s, pair.row_a - s.platform->row_begin, a, b, contact, step);
   for (int k = 0; k < 2 && k < contact.count; ++k)
     if (contact.slot[k].separation <= 0.0) group.add(&group.shared().contacts, 1);

@@ -55,6 +55,7 @@ GEM_DEVICE inline DeviceStop stop_of(const DeviceScene& s, std::uint32_t alarms,
 GEM_DEVICE inline bool plan_step(const DeviceScene& s, std::uint32_t& alarms) {
   DeviceStatus& status = *s.status;
   if (status.phase_step == PhaseStep::ended) return false;
+  carry_pieces(s);  // now no block writes back the pieces as they were
   if (moves(s)) {
     ++status.step;
     ++status.samples;

@@ -1,5 +1,5 @@
 // The platform's part of the body stages, by one warp. The lanes compute the terms of its contacts, which are then
-// added in order.
+// added in order: by piece, then by the other body.
 #pragma once
 
 #include "gem/engine/device/bodies.h"
@@ -161,7 +161,7 @@ GEM_DEVICE inline std::int32_t collect_terms(const DeviceScene& s, const Warp& w
                                              std::int32_t& pressed) {
   DeviceStatus& status = *s.status;
   constexpr bool coupled = solver == ContactSolver::coupled;
-  const std::int32_t places = motion.row_count;
+  const std::int32_t places = s.row_length(0, motion);
   std::int32_t terms = 0, events = status.events;
   for (std::int32_t first = 0; first < places; first += Warp::size) {
     const std::int32_t at = first + warp.rank(), row = motion.row_begin + (at < places ? at : 0);
@@ -232,6 +232,16 @@ GEM_DEVICE inline void write_sample(const DeviceScene& s, const PlatformLoaded& 
   if (s.dp) s.dp_sample[at] = *s.dp;
 }
 
+/// Gives the pieces of the platform the place and the motion of body 0, which owns them.
+GEM_DEVICE inline void carry_pieces(const DeviceScene& s) {
+  const Mover mover = mover_of(s.body[0]);
+  for (std::int32_t i = 1; i < s.constants.pieces; ++i) {
+    write_mover(s.body[i], mover);
+    s.after[i].velocity = s.after[0].velocity;
+    s.after[i].spin = s.after[0].spin;
+  }
+}
+
 /// Moves the platform by one thread, after the contacts are summed.
 template <ContactSolver solver, class Group>
 GEM_DEVICE inline void move_platform_body(const DeviceScene& s, Group& group, const Workspace& workspace,
@@ -281,7 +291,19 @@ GEM_DEVICE inline void move_platform_body(const DeviceScene& s, Group& group, co
   s.after[0].velocity = sums.velocity;
   s.after[0].spin = sums.spin;
   write_mover(cell, mover);
-  if (workspace.writes_through) write_mover(s.body[0], mover);
+  if (!workspace.writes_through) return;  // plan_step() then carries the pieces
+  write_mover(s.body[0], mover);
+  carry_pieces(s);
+}
+
+/// Turns the outlines of the platform that are too long for a workspace.
+template <class Warp>
+GEM_DEVICE inline void turn_platform(const DeviceScene& s, const Warp& warp, const BodyCell& cell) {
+  for (std::int32_t i = 0; i < s.constants.pieces; ++i) {
+    const BodyCell& piece = i == 0 ? cell : s.body[i];
+    if (piece.vertex_count > workspace_vertices)
+      turn_outline(s, piece.vertex_begin, piece.vertex_count, cell.rotation, warp.rank(), Warp::size);
+  }
 }
 
 /// The body stages of the platform, by its warp.
@@ -291,7 +313,7 @@ GEM_DEVICE inline void move_platform(const DeviceScene& s, Group& group, const W
   const auto warp = group.warp();
   const BodyCell& cell = workspace.body[0];
   std::int32_t pressed = 0;
-  PlatformTerm* const term = term_memory(s, workspace, workspace.motion[0].row_count);
+  PlatformTerm* const term = term_memory(s, workspace, s.row_length(0, workspace.motion[0]));
   const std::int32_t terms = collect_terms<solver>(s, warp, cell, workspace.motion[0], step.step, term, pressed);
   PlatformSums start;
   BodyAfter after{cell.velocity, cell.spin};
@@ -305,8 +327,7 @@ GEM_DEVICE inline void move_platform(const DeviceScene& s, Group& group, const W
   warp.sync();
   if (warp.rank() == 0) move_platform_body<solver>(s, group, workspace, sums, repair, pressed, step);
   warp.sync();
-  if (cell.vertex_count > workspace_vertices && cell.turn_travel != travel)
-    turn_outline(s, cell.vertex_begin, cell.vertex_count, cell.rotation, warp.rank(), Group::Warp::size);
+  if (cell.turn_travel != travel) turn_platform(s, warp, cell);
 }
 
 }  // namespace gem

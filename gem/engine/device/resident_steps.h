@@ -18,7 +18,8 @@
 
 namespace gem {
 
-/// Makes the solo events up to the first pair events of a call: those of its time step 0.
+/// Makes the solo events up to the first pair events of a call: those of its time step 0. carry_pieces() has to follow
+/// a barrier later, when all blocks have copied their bodies.
 template <class Group>
 GEM_DEVICE inline void first_solo_events(const DeviceScene& s, const Group& group, const Workspace& workspace) {
   for (std::int32_t i = workspace.first_body; i < workspace.bodies.end; i += workspace.body_step) {
@@ -84,8 +85,9 @@ template <class Group>
 GEM_DEVICE inline void write_state(const DeviceScene& s, const Group& group) {
   for (std::int32_t i = rank_of(group); i < s.bodies; i += size_of(group)) {
     const BodyCell& cell = s.body[i];
-    const Vec2 velocity = i == 0 ? s.platform->velocity : s.after[i].velocity;
-    const double spin = i == 0 ? s.platform->spin : s.after[i].spin;
+    const bool platform = s.constants.is_platform(i);
+    const Vec2 velocity = platform ? s.platform->velocity : s.after[i].velocity;
+    const double spin = platform ? s.platform->spin : s.after[i].spin;
     s.state[i] = {cell.position, cell.rotation, velocity, spin, cell.active};
   }
 }
@@ -165,6 +167,7 @@ class ResidentSteps {
     if (!s_.status->solo_events_done) first_solo_events(s_, group_, workspace_);
     group_.barrier();
     if (rank_of(group_) == 0) {
+      carry_pieces(s_);
       s_.status->solo_events_done = 1;
       s_.status->events = s_.status->forces = 0;
     }

@@ -21,6 +21,7 @@
 #include "gem/engine/solver/solver_workspace.h"
 #include "gem/engine/solver/splitting/island_memory.h"
 #include "gem/engine/step/overlap_count.h"
+#include "gem/geometry/piece_joints.h"
 
 namespace gem {
 
@@ -96,6 +97,7 @@ struct DeviceScene {
   PlatformCell* platform = nullptr;
   Vec2 *corner = nullptr, *normal = nullptr;  // world axes, about the centroid; only outlines too long for a workspace
   const Vec2 *vertex = nullptr, *body_normal = nullptr;  // body axes
+  const PieceCorner* piece_corner = nullptr;  // of the pieces of the platform, as `vertex`; null: it is one piece
 
   std::int32_t *row_other = nullptr, *row_pair = nullptr;
   RowStamp* stamp = nullptr;
@@ -178,6 +180,11 @@ struct DeviceScene {
 
   /// What drives the bodies in a time step, counted from the begin of the call.
   GEM_HD Drive drive_of(std::int32_t step) const { return drive ? drive[step] : steady_drive(constants.events); }
+
+  /// Entries of the row of a body; of body 0: of the rows of all pieces of the platform.
+  GEM_HD std::int32_t row_length(std::int32_t i, const BodyMotion& of_body) const {
+    return i == 0 && constants.pieces > 1 ? platform->row_count : of_body.row_count;
+  }
 
   GEM_HD Quantity& book(Channel channel, std::int32_t i) const {
     return books[static_cast<std::int64_t>(channel) * bodies + i];

@@ -160,6 +160,7 @@ void write_field(const FieldState& f, std::int64_t step, const DeviceScene& s) {
   std::copy(f.normal.begin(), f.normal.end(), s.normal);
   std::copy(f.bodies.vertex.begin(), f.bodies.vertex.end(), const_cast<Vec2*>(s.vertex));
   std::copy(f.body_normal.begin(), f.body_normal.end(), const_cast<Vec2*>(s.body_normal));
+  std::copy(f.piece_corner.begin(), f.piece_corner.end(), const_cast<PieceCorner*>(s.piece_corner));
 }
 
 std::vector<CarriedMemory> carried_memory(const EngineState& state) {

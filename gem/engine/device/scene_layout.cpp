@@ -138,6 +138,7 @@ SceneSizes scene_sizes(const FieldState& f) {
   sizes.non_floes = static_cast<std::int32_t>(
       std::count_if(b.kind.begin(), b.kind.end(), [](BodyKind kind) { return kind != BodyKind::floe; }));
   sizes.vertices = static_cast<std::int32_t>(b.vertex.size());
+  sizes.piece_corners = f.piece_corner.size();
   sizes.rows = 8 * sizes.bodies + 256;
   sizes.platform_rows = 256;
   sizes.phase_blocks = (sizes.bodies + phase_threads - 1) / phase_threads;
@@ -172,6 +173,7 @@ std::size_t place_field(DeviceScene& s, const SceneSizes& sizes, std::byte* base
   placer.place(s.vertex, vertices);
   placer.place(s.body_normal, vertices);
   placer.place(s.area, n);
+  if (sizes.piece_corners > 0) placer.place(s.piece_corner, sizes.piece_corners);
   place_mooring(s, sizes, placer);
   place_dp(s, sizes, placer);
   if (!sizes.coupled) return placer.used();

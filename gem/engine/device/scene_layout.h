@@ -12,8 +12,9 @@ namespace gem {
 /// Sizes of a scene's arrays.
 struct SceneSizes {
   std::int32_t bodies = 0, non_floes = 0, vertices = 0;
+  std::size_t piece_corners = 0;   // corners of a platform of several pieces
   std::int32_t rows = 0;           // entries in the rows of all bodies; grows on demand
-  std::int32_t platform_rows = 0;  // entries in the platform's row; grows on demand
+  std::int32_t platform_rows = 0;  // entries in the rows of the platform; grows on demand
   std::int32_t samples = 0;        // time steps in the ring
   std::int32_t blocks = 1;         // most blocks that work on the scene
   std::int32_t phase_blocks = 1;   // blocks that work on it on the phases route

@@ -21,11 +21,12 @@ template <class Group>
 GEM_DEVICE inline void open_points(const DeviceScene& s, Group& group, const PairCell& pair,
                                    const TouchingPair& touching, std::int32_t step) {
   const std::int32_t first = group.shared().first_point + touching.first_point, count = touching.geometry.count;
+  const std::int32_t a = s.constants.owner_of(pair.a);
   for (std::int32_t k = 0; k < count; ++k) {
     PointCell& point = s.point[first + k];
     point.pair = touching.pair;
     point.slot = k;
-    point.a = {pair.a, -1, -1, -1};
+    point.a = {a, -1, -1, -1};
     point.b = {pair.b, -1, -1, -1};
   }
   for (const std::int32_t row : {pair.row_a, pair.row_b}) {
@@ -33,7 +34,7 @@ GEM_DEVICE inline void open_points(const DeviceScene& s, Group& group, const Pai
     s.row_points[row].count = count;
     s.stamp[row].entry = step;
   }
-  mark_touched(s, group, pair.a, s.body[pair.a].inverse_mass);
+  mark_touched(s, group, a, s.body[a].inverse_mass);
   mark_touched(s, group, pair.b, s.body[pair.b].inverse_mass);
 }
 

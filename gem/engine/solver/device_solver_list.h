@@ -223,7 +223,7 @@ class SolverList {
   template <class LaneGroupType>
   GEM_DEVICE PlacesOfLane read_places(const LaneGroupType& lanes, std::int32_t body, const BodyMotion& motion,
                                       std::int32_t first) const {
-    const std::int32_t begin = motion.row_begin, lower = motion.lower_count, places = motion.row_count;
+    const std::int32_t begin = motion.row_begin, lower = motion.lower_count, places = s_.row_length(body, motion);
     PlacesOfLane read;
     std::int32_t stamp[PlacesOfLane::steps], other[PlacesOfLane::steps];
     for (int k = 0; k < PlacesOfLane::steps; ++k) {
@@ -248,7 +248,7 @@ class SolverList {
     constexpr int stride = PlacesOfLane::steps * LaneGroupType::size;
     const std::int32_t body = s_.solver_entry[e].body;
     const BodyMotion& motion = s_.motion[body];
-    const std::int32_t begin = motion.row_begin, lower = motion.lower_count, places = motion.row_count;
+    const std::int32_t begin = motion.row_begin, lower = motion.lower_count, places = s_.row_length(body, motion);
     std::int32_t count = 0, as_b = 0, taken = 0;
     PlacesOfLane read{};
     for (std::int32_t first = 0; first < places; first += stride) {

@@ -61,7 +61,7 @@ void note_outcomes(const FieldState& f, std::span<const ContactOutcome> outcomes
                    StepQuality& quality, StepLog& log) {
   work.assign(f.bodies.count() + sum_width, 0.0);  // per body B, or per body A where B is fixed
   for (const ContactOutcome& outcome : outcomes) {
-    double& sum = work[f.bodies.inverse_mass[outcome.b] > 0.0 ? outcome.b : outcome.a];
+    double& sum = work[f.bodies.inverse_mass[outcome.b] > 0.0 ? outcome.b : f.constants.owner_of(outcome.a)];
     for (int k = 0; k < outcome.count; ++k) {
       const PointOutcome& point = outcome.point[k];
       quality.complementarity = std::max(quality.complementarity, point.quality.complementarity);

@@ -4,8 +4,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <vector>
 
 #include "gem/engine/engine.h"
+#include "gem/engine/step/contact_outcome.h"
 #include "gem/engine/step/step_constants.h"
 #include "gem/engine/testing/speed_still_asked.h"
 #include "gem/engine/testing/test_scenes.h"
@@ -61,6 +63,27 @@ TEST(ContactQuality, ConeExcessAndWorkOfAWrongImpulse) {
   const PointQuality q = quality_of(touching({0.2, -0.15}, 0.1, 0.0), {0.3, -0.15});
   EXPECT_DOUBLE_EQ(q.cone_excess, 0.15 - 0.5 * 0.2);
   EXPECT_GT(q.work, 0.0);
+}
+
+/// In the order of the contacts, as the points of one body. Three sums, one for each piece, would round otherwise.
+TEST(ContactQuality, WorkOfPiecesOnAFixedBodyCountsForTheirOwner) {
+  const SceneDef scene = test::pieces_scene(1);
+  const Bodies field = make_field(scene);
+  const FieldState f = make_field_state(field, step_constants(scene, field));
+  ASSERT_EQ(f.bodies.kind[3], BodyKind::fixed);
+  constexpr double half_rounding = 0x1p-53;
+  std::vector<ContactOutcome> outcomes(3);
+  for (std::int32_t piece = 0; piece < 3; ++piece) {
+    outcomes[piece].a = piece;
+    outcomes[piece].b = 3;
+    outcomes[piece].count = 1;
+    outcomes[piece].point[0].quality.work = piece == 1 ? 1.0 : half_rounding;
+  }
+  std::vector<double> work;
+  StepQuality quality;
+  StepLog log;
+  note_outcomes(f, outcomes, work, quality, log);
+  EXPECT_EQ(quality.energy_created, 1.0);
 }
 
 TEST(ContactQuality, ACrowdIsResolvedToItsToleranceWithoutCreatingEnergy) {

@@ -51,6 +51,11 @@ std::string bad_warning(const RunVerdict& verdict) {
          "table Verdict.</p>\n";
 }
 
+std::string force_title(const RunData& run) {
+  if (run.on_fixed.force.empty()) return "Forces on the platform";
+  return run.platform.time.empty() ? "Forces on fixed bodies" : "Forces on the platform and on fixed bodies";
+}
+
 }  // namespace
 
 std::string page_title(const std::string& run) { return escaped(run) + " - run report"; }
@@ -63,12 +68,9 @@ std::string page_html(const RunData& run, const RunFindings& findings, const std
   html += figures.field.empty() ? no_field_html(run) : figure_section("The field", figures.field, false);
   html += "<section><h2 class=\"page\">The run in numbers</h2>\n" + verdict_html(run.verdict) +
           motion_html(run, findings, analysis) + loads_html(run, findings, analysis) + sides_html(run) +
-          lines_html(run) + fixed_html(run, analysis) + quality_html(run, findings) + identity_html(run) +
-          "</section>\n";
+          lines_html(run) + fixed_html(run) + quality_html(run, findings) + identity_html(run) + "</section>\n";
   html += figure_section("Motion of the platform", figures.motion, true);
-  const bool fixed_too = !run.on_fixed.force.empty();
-  html += figure_section(fixed_too ? "Forces on the platform and on fixed bodies" : "Forces on the platform",
-                         figures.force, true);
+  html += figure_section(force_title(run), figures.force, true);
   html += figure_section("Books of the run", figures.books, false);
   return html_page(page_title(run.identity.name), html + kNotes);
 }

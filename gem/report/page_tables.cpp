@@ -320,16 +320,17 @@ std::string lines_html(const RunData& run) {
   return table("Mooring lines", rows);
 }
 
-std::string fixed_html(const RunData& run, const std::vector<Finding>& analysis) {
-  if (run.on_fixed.force.empty()) return "";
+std::string fixed_html(const RunData& run) {
+  const std::vector<Finding> findings = fixed_findings(run.on_fixed, 0.0);
+  if (findings.empty()) return "";
   std::string rows =
       "<tr><td></td><th scope=\"col\">mean, x</th><th scope=\"col\">mean, y</th><th scope=\"col\">largest of a "
       "frame</th></tr>\n";
   const auto add = [&](const std::string& words, const std::string& name) {
-    const auto value = [&](const char* what) { return finding_of(analysis, name + what); };
-    const double largest = value("_force_largest_N").value.value_or(0.0);
+    const auto found = [&](const char* what) { return finding_of(findings, name + what); };
+    const double largest = *found("_force_largest_N").value;
     if (largest > 0.0)
-      rows += row(words, {mean_force_text(value("_force_x_mean_N")), mean_force_text(value("_force_y_mean_N")),
+      rows += row(words, {mean_force_text(found("_force_x_mean_N")), mean_force_text(found("_force_y_mean_N")),
                           force_text(largest)});
     else
       rows += row(words, {"no contact", "no contact", "no contact"});

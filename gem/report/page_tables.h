@@ -17,8 +17,8 @@ std::string loads_html(const RunData& run, const RunFindings& findings, const st
 std::string sides_html(const RunData& run);
 /// Nothing for a run without mooring lines.
 std::string lines_html(const RunData& run);
-/// Nothing without the forces on [[fixed]] bodies.
-std::string fixed_html(const RunData& run, const std::vector<Finding>& analysis);
+/// Nothing without the forces on [[fixed]] bodies at two frames.
+std::string fixed_html(const RunData& run);
 std::string verdict_html(const RunVerdict& verdict);
 std::string quality_html(const RunData& run, const RunFindings& findings);
 

@@ -60,6 +60,20 @@ TEST_F(Report, ShowsTheForcesOnFixedBodies) {
   EXPECT_NE(rows.find(",5\n"), std::string::npos) << rows;  // 3 and 4 kN
 }
 
+TEST_F(Report, ShowsTheForcesOnFixedBodiesWithoutAPlatform) {
+  RunData run = swinging_platform();
+  run.platform = {};
+  run.on_fixed.force.resize(1);
+  for (int n = 1; n <= 40; ++n) {
+    run.on_fixed.time.push_back(10.0 * n);
+    run.on_fixed.force[0].push_back({0.0, 4e3});
+  }
+  write_report(run, out(), false);
+  EXPECT_NE(page().find("<td>4.00 kN</td>"), std::string::npos) << page();
+  EXPECT_EQ(page().find("no contact"), std::string::npos);
+  EXPECT_NE(page().find(">Forces on fixed bodies<"), std::string::npos);
+}
+
 // The impulse belongs to the sample that ends at 200 s. Its mean over 1 s is recorded there and drawn at 199.5 s.
 TEST_F(Report, DrawsTheWindowsMeanAtItsMiddle) {
   RunData run = swinging_platform();

@@ -79,13 +79,17 @@ struct NameOfWay {
   std::string operator()(const testing::TestParamInfo<PieceWay>& way) const { return way.param.name; }
 };
 
-SceneDef scene_of(const PieceWay& way) {
-  SceneDef scene = test::pieces_scene(4);
-  scene.contact.solver = way.solver;
-  scene.numerics.iteration = way.iteration;
-  const IterationEnd end = default_end(way.iteration);
+SceneDef iterated_by(SceneDef scene, Iteration iteration) {
+  scene.numerics.iteration = iteration;
+  const IterationEnd end = default_end(iteration);
   scene.numerics.residual_tolerance = end.residual_tolerance;
   scene.numerics.iterations_maximum = end.iterations_maximum;
+  return scene;
+}
+
+SceneDef scene_of(const PieceWay& way) {
+  SceneDef scene = iterated_by(test::pieces_scene(4), way.iteration);
+  scene.contact.solver = way.solver;
   return scene;
 }
 
@@ -183,6 +187,23 @@ TEST_P(PiecesOnGpu, GiveTheBitsOfTheCpu) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Ways, PiecesOnGpu, testing::ValuesIn(piece_ways), NameOfWay());
+
+class FloeBetweenPiecesOnGpu : public OnGpu {};
+
+TEST_F(FloeBetweenPiecesOnGpu, HasTheBitsOfTheCpu) {
+  const SceneDef scene = iterated_by(test::column_between_pieces(), Iteration::splitting);
+  const auto cpu = test::busy_engine(scene, "cpu");
+  CudaBatch batch({{scene, test::busy_field(scene)}}, {.route = Route::phases});
+  StepLog expected;
+  std::vector<StepLog> logs(1);
+  for (const std::int64_t steps : {1, 9, 90, 300}) {
+    cpu->advance(steps, expected);
+    batch.advance(steps, &logs);
+    EXPECT_EQ(batch.state_hash(0), cpu->state_hash()) << "after " << steps << " more time steps";
+    test::expect_same_log(logs[0], expected);
+  }
+  EXPECT_GT(test::contacts_in(expected), 1000);
+}
 
 }  // namespace
 }  // namespace gem

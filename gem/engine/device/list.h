@@ -18,8 +18,8 @@
 
 namespace gem {
 
-/// Takes `count` entries for the row of body i, for i = 0 for those of all pieces of the platform. Returns the index of
-/// the first; -1, with alarm_list_full, if the memory is too small.
+/// Takes `count` entries: for the row of body i, or for the rows of all pieces of the platform where i is 0. Returns
+/// the index of the first; -1, with alarm_list_full, if the memory is too small.
 template <class Group>
 GEM_DEVICE inline std::int32_t take_entries(const DeviceScene& s, Group& group, std::int32_t i, std::int32_t count) {
   const std::int32_t begin = group.add(&s.counters->rows, count);

@@ -178,13 +178,41 @@ TEST_P(DevicePieces, OfAListTooSmallGrowItAndLoseNothing) {
   }
 }
 
-/// Islands of all sizes, by blocks and by the whole group.
-TEST(DevicePiecesOfIslands, GiveTheBitsOfTheCpuEngine) {
-  SceneDef scene = notched(ContactSolver::coupled);
+SceneDef with_splitting(SceneDef scene) {
   scene.numerics.iteration = Iteration::splitting;
   scene.numerics.residual_tolerance = default_end(Iteration::splitting).residual_tolerance;
   scene.numerics.iterations_maximum = default_end(Iteration::splitting).iterations_maximum;
-  PiecesBesideCpu both(scene, true, steps_to_the_notch, 2, test::team_warp);
+  return scene;
+}
+
+/// Whether a floe presses on two pieces.
+bool has_floe_on_two_pieces(const std::vector<ContactForce>& forces) {
+  for (const ContactForce& one : forces)
+    for (const ContactForce& other : forces)
+      if (one.b == other.b && one.a < other.a && other.a < 3) return true;
+  return false;
+}
+
+/// Points of a floe with two pieces have one block of the matrix: in small islands, and in large ones by one block of
+/// threads or three.
+TEST(DevicePiecesOfIslands, AFloeBetweenTwoPiecesHasTheBitsOfTheCpuEngine) {
+  SceneDef scene = with_splitting(test::column_between_pieces());
+  scene.output.contact_forces = true;
+  for (const auto& [small, large, blocks] : {std::array{16, 1000, 1}, {1, 2, 1}, {1, 2, 3}}) {
+    PiecesBesideCpu both(scene, true, 0, blocks, test::team_warp);
+    both.device.divide_islands(small, large);
+    int on_two_pieces = 0;
+    for (int step = 0; step < 40 && !HasFailure(); ++step) {
+      both.advance(1);
+      on_two_pieces += has_floe_on_two_pieces(both.cpu->contact_forces());
+    }
+    EXPECT_GT(on_two_pieces, 5);
+  }
+}
+
+/// Islands of all sizes, by blocks and by the whole group.
+TEST(DevicePiecesOfIslands, GiveTheBitsOfTheCpuEngine) {
+  PiecesBesideCpu both(with_splitting(notched(ContactSolver::coupled)), true, steps_to_the_notch, 2, test::team_warp);
   both.device.divide_islands(16, 128);
   both.advance(2);
   both.expect_same_memory();

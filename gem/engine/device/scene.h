@@ -67,7 +67,7 @@ struct DeviceStatus {
   std::int32_t forces = 0;                            // forces in the ring of this call
   std::int32_t carried = 0;                           // contacts in DeviceScene::carried
   std::int32_t barriers = 0;                          // grid barriers in this call
-  std::int32_t rows_needed = 0, platform_needed = 0;  // entries of all rows, of the platform's row
+  std::int32_t rows_needed = 0, platform_needed = 0;  // entries of all rows, of those of the platform
   DeviceStop stop = DeviceStop::done;
   // the following only on the phases route
   std::int32_t wanted = 0;   // time steps of the call
@@ -167,8 +167,9 @@ struct DeviceScene {
   std::uint32_t* near_non_floe = nullptr;  // for each non-floe: a bit for each body near it
   ListCounters* counters = nullptr;
 
-  PlatformTerm* term = nullptr;  // two for each entry of the platform's row; used where shared memory is too small
-  PlatformEventRecord* row_event = nullptr;  // one for each entry of the platform's row
+  PlatformTerm* term =
+      nullptr;  // two for each entry of the rows of the platform; used where shared memory is too small
+  PlatformEventRecord* row_event = nullptr;  // one for each entry of the rows of the platform
   std::int64_t* row_event_step = nullptr;
   PlatformStep* sample = nullptr;         // ring
   std::int32_t* overlap_count = nullptr;  // of the call: depths by class, then shares by class

@@ -77,6 +77,31 @@ inline SceneDef pieces_scene(std::uint64_t seed) {
   return scene;
 }
 
+/// A column of floes that a current presses into a notch of three pieces, the first of them with a millimetre of room
+/// on each side.
+inline SceneDef column_between_pieces() {
+  SceneDef scene = pieces_scene(1);
+  scene.contact.solver = ContactSolver::coupled;
+  scene.platform.piece = {{{{2.5, -20.0}, {12.5, -20.0}, {12.5, 20.0}, {2.5, 20.0}}},
+                          {{{-17.5, 10.0}, {2.5, 10.0}, {2.5, 20.0}, {-17.5, 20.0}}},
+                          {{{-17.5, -20.0}, {2.5, -20.0}, {2.5, -10.0}, {-17.5, -10.0}}}};
+  scene.platform.start_yaw_rad = 0.0;
+  scene.platform.start_offset_m = scene.platform.start_velocity_m_per_s = scene.platform.anchor_m = {};
+  scene.boundary.present = false;
+  scene.current.velocity_m_per_s = {0.5, 0.0};
+  scene.floes.source = FloeSource::listed;
+  scene.floes.count = 0;
+  scene.output.retire_x_m = 1000.0;
+  for (int k = 0; k < 4; ++k) {
+    const double half = k == 0 ? 9.999 : 6.0;
+    FloeDef floe;
+    floe.outline_m = {{-5.0, -half}, {5.0, -half}, {5.0, half}, {-5.0, half}};
+    floe.position_m = {-2.6 - 10.1 * k, 0.0};
+    scene.floe.push_back(floe);
+  }
+  return scene;
+}
+
 /// The busy scene around a ship whose bow is turned out of the ice and steered back; `fixed`: it does not move.
 inline SceneDef ship_scene(std::uint64_t seed, bool fixed) {
   SceneDef scene = busy_scene(seed);

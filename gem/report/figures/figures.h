@@ -34,7 +34,7 @@ std::vector<Figure> dp_figures(const RunData& run, const PlotFolder& folder);
 /// Resistance and side force of the ice along the path; none without transit.
 std::vector<Figure> transit_figures(const RunData& run, const PlotFolder& folder);
 
-/// Force of the ice on fixed bodies; none without [[fixed]] or without forces between bodies in the run file.
+/// Force of the ice on fixed bodies; none without forces on [[fixed]] bodies at ten frames, and none where no ice came.
 std::vector<Figure> fixed_figures(const RunData& run, const PlotFolder& folder);
 
 /// Residuals of the books, and overlap, against time.

@@ -12,6 +12,7 @@ namespace {
 
 constexpr const char* colours[] = {"#3b6ea5", "#c2571a", "#440154", "#35b779", "#8a8f98", "#b5367a"};
 constexpr std::size_t curves_maximum = std::size(colours);
+static_assert(curves_maximum == 6, "the caption names the number");
 constexpr std::size_t frames_minimum = 10;
 
 double largest_of(const std::vector<Vec2>& force) {

@@ -79,7 +79,7 @@ class DeviceFactor {
     if (at.block < 0) return;
     const IslandPointEnds ends = v_.m.ends[k];
     float block[9] = {};
-    for (std::int32_t point = k; point >= 0; point = point == k ? at.second : -1) {
+    for (std::int32_t point = k; point >= 0; point = v_.m.where[point].next) {
       const SplitPoint<float> q = load_point<SplitPoint<float>>(v_, point);
       if (ends.a > ends.b)
         add_block(block, q, q.n_a, q.t_a, q.n_b, q.t_b);

@@ -236,9 +236,7 @@ class IslandsOnDevice {
       };
       ends.a = place_of(point.a);
       ends.b = place_of(point.b);
-      if (point.slot == 0) at.row_length = 0;
-      if (point.slot == 0 && ends.b >= 0 && s_.contact[point.pair].count > 1)
-        at.second = m_.point_of[point.b.place + 1];
+      if (ends.a >= 0 && ends.b >= 0) link_pair(point, at);
       SplitPoint<float> q{};
       set_point(q, 0, s_.points.geometry(at.taken), inverse_mass_of(s_, point.a), inverse_mass_of(s_, point.b));
       store_point<point_fields::all>(view, k, q);
@@ -250,6 +248,18 @@ class IslandsOnDevice {
       view.m.records[place] = {entry.place, entry.count, entry.as_b, 0};
     });
     team.sync();
+  }
+
+  /// Links the points between two moving bodies, since they have one block of the matrix: those of a contact, and those
+  /// of all pieces of a platform with a floe. They are neighbours among the records of B.
+  GEM_DEVICE void link_pair(const PointCell& point, IslandPointPlace& at) {
+    const SolverEntry& of_b = s_.solver_entry[m_.entry[m_.rank[point.b.body]]];
+    const auto has_same_bodies = [&](std::int32_t record) {
+      return record >= of_b.place && record < of_b.place + of_b.as_b &&
+             s_.taken_point[m_.taken_of_record[record]].a.body == point.a.body;
+    };
+    if (!has_same_bodies(point.b.place - 1)) at.row_length = 0;
+    if (has_same_bodies(point.b.place + 1)) at.next = m_.point_of[point.b.place + 1];
   }
 
   const DeviceScene& s_;

@@ -35,11 +35,11 @@ struct alignas(16) IslandPointEnds {
 /// The same for what is done once a round.
 struct IslandPointPlace {
   std::int32_t taken = 0;  // its index in the scene's lists
-  // block of its pair in the matrix: its place in the numbers, and rows from column to column; -1: none, or the block
-  // belongs to the first point of the contact
+  // block of its pair of bodies in the matrix: its place in the numbers, and rows from column to column; -1: none, or
+  // another point of the pair comes first
   std::int32_t row_length = -1;
   std::int64_t block = -1;
-  std::int32_t second = -1;  // second point of the contact, as a point of the island
+  std::int32_t next = -1;  // next point of the pair, as a point of the island
 };
 
 /// The records of a body; the first `as_b` of them have it as their B.

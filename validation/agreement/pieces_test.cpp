@@ -79,16 +79,8 @@ struct NameOfWay {
   std::string operator()(const testing::TestParamInfo<PieceWay>& way) const { return way.param.name; }
 };
 
-SceneDef iterated_by(SceneDef scene, Iteration iteration) {
-  scene.numerics.iteration = iteration;
-  const IterationEnd end = default_end(iteration);
-  scene.numerics.residual_tolerance = end.residual_tolerance;
-  scene.numerics.iterations_maximum = end.iterations_maximum;
-  return scene;
-}
-
 SceneDef scene_of(const PieceWay& way) {
-  SceneDef scene = iterated_by(test::pieces_scene(4), way.iteration);
+  SceneDef scene = test::iterated_by(test::pieces_scene(4), way.iteration);
   scene.contact.solver = way.solver;
   return scene;
 }
@@ -191,7 +183,7 @@ INSTANTIATE_TEST_SUITE_P(Ways, PiecesOnGpu, testing::ValuesIn(piece_ways), NameO
 class FloeBetweenPiecesOnGpu : public OnGpu {};
 
 TEST_F(FloeBetweenPiecesOnGpu, HasTheBitsOfTheCpu) {
-  const SceneDef scene = iterated_by(test::column_between_pieces(), Iteration::splitting);
+  const SceneDef scene = test::iterated_by(test::column_between_pieces(), Iteration::splitting);
   const auto cpu = test::busy_engine(scene, "cpu");
   CudaBatch batch({{scene, test::busy_field(scene)}}, {.route = Route::phases});
   StepLog expected;

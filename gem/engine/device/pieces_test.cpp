@@ -178,13 +178,6 @@ TEST_P(DevicePieces, OfAListTooSmallGrowItAndLoseNothing) {
   }
 }
 
-SceneDef with_splitting(SceneDef scene) {
-  scene.numerics.iteration = Iteration::splitting;
-  scene.numerics.residual_tolerance = default_end(Iteration::splitting).residual_tolerance;
-  scene.numerics.iterations_maximum = default_end(Iteration::splitting).iterations_maximum;
-  return scene;
-}
-
 /// Whether a floe presses on two pieces.
 bool has_floe_on_two_pieces(const std::vector<ContactForce>& forces) {
   for (const ContactForce& one : forces)
@@ -196,7 +189,7 @@ bool has_floe_on_two_pieces(const std::vector<ContactForce>& forces) {
 /// Points of a floe with two pieces have one block of the matrix: in small islands, and in large ones by one block of
 /// threads or three.
 TEST(DevicePiecesOfIslands, AFloeBetweenTwoPiecesHasTheBitsOfTheCpuEngine) {
-  SceneDef scene = with_splitting(test::column_between_pieces());
+  SceneDef scene = test::iterated_by(test::column_between_pieces(), Iteration::splitting);
   scene.output.contact_forces = true;
   for (const auto& [small, large, blocks] : {std::array{16, 1000, 1}, {1, 2, 1}, {1, 2, 3}}) {
     PiecesBesideCpu both(scene, true, 0, blocks, test::team_warp);
@@ -212,7 +205,8 @@ TEST(DevicePiecesOfIslands, AFloeBetweenTwoPiecesHasTheBitsOfTheCpuEngine) {
 
 /// Islands of all sizes, by blocks and by the whole group.
 TEST(DevicePiecesOfIslands, GiveTheBitsOfTheCpuEngine) {
-  PiecesBesideCpu both(with_splitting(notched(ContactSolver::coupled)), true, steps_to_the_notch, 2, test::team_warp);
+  PiecesBesideCpu both(test::iterated_by(notched(ContactSolver::coupled), Iteration::splitting), true,
+                       steps_to_the_notch, 2, test::team_warp);
   both.device.divide_islands(16, 128);
   both.advance(2);
   both.expect_same_memory();

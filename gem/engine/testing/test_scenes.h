@@ -77,6 +77,15 @@ inline SceneDef pieces_scene(std::uint64_t seed) {
   return scene;
 }
 
+/// The scene with an iteration and the end that is its default.
+inline SceneDef iterated_by(SceneDef scene, Iteration iteration) {
+  const IterationEnd end = default_end(iteration);
+  scene.numerics.iteration = iteration;
+  scene.numerics.residual_tolerance = end.residual_tolerance;
+  scene.numerics.iterations_maximum = end.iterations_maximum;
+  return scene;
+}
+
 /// A column of floes that a current presses into a notch of three pieces, the first of them with a millimetre of room
 /// on each side.
 inline SceneDef column_between_pieces() {

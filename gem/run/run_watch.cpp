@@ -3,7 +3,6 @@
 
 #include <algorithm>
 
-#include "gem/engine/step/step_constants.h"
 #include "gem/scene/scene_bounds.h"
 #include "gem/scene/scene_drive.h"
 
@@ -30,10 +29,10 @@ double contact_energy(const Ledger& ledger) {
 
 RunWatch::RunWatch(const SceneDef& scene, Engine& engine)
     : time_step_(scene.numerics.time_step_s), has_platform_(scene.platform.present), asked_residual_(std::nan("")) {
-  const Bodies& bodies = engine.bodies();
+  now_.measures.speed_scale = speed_scale_of(scene, engine.bodies());
+  // As step_constants() has it. The scene of a run need not list the floes that its engine began with.
   if (scene.contact.solver == ContactSolver::coupled && engine.method().empty())
-    asked_residual_ = step_constants(scene, bodies).residual_speed;
-  now_.measures.speed_scale = speed_scale_of(scene, bodies);
+    asked_residual_ = scene.numerics.residual_tolerance * now_.measures.driving_speed();
   const IceDef& ice = scene.ice;
   const double other_side =
       scene.platform.present ? std::min(ice.friction_ice, ice.friction_structure) : ice.friction_ice;

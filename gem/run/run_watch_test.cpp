@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include "gem/engine/step/step_constants.h"
+#include "gem/field/field.h"
 #include "gem/record/fake_engine.h"
 
 namespace gem {
@@ -55,6 +57,19 @@ TEST_F(RunWatchTest, StepsAboveTheToleranceAreCountedAmongThoseWithContacts) {
   EXPECT_LE(m.residual_median, 0.0004 * 1.125);
   EXPECT_GE(m.residual_most, 0.02);
   EXPECT_LE(m.residual_most, 0.02 * 1.125);
+}
+
+/// As after --from: the scene of the run names a file, and only the field has the floes.
+TEST_F(RunWatchTest, TheToleranceIsThatOfTheEngineForFloesFasterThanTheCurrent) {
+  SceneDef listed = scene_;
+  FloeDef& floe = listed.floe.emplace_back();
+  floe.outline_m = {{0.0, 0.0}, {5.0, 0.0}, {2.0, 4.0}};
+  floe.velocity_m_per_s = {0.3, -1.1};
+  floe.spin_rad_per_s = 0.2;
+  const std::unique_ptr<Engine> engine = make_engine(listed, make_field(listed), {"cpu", 1});
+  const double asked = step_constants(listed, engine->bodies()).residual_speed;
+  EXPECT_GT(asked, 1.2 * step_constants(scene_, engine->bodies()).residual_speed);
+  EXPECT_DOUBLE_EQ(RunWatch(scene_, *engine).asked_residual(), asked);
 }
 
 TEST_F(RunWatchTest, ARunWithoutContactsLeavesNothing) {

@@ -28,7 +28,8 @@ def points_of(group, kind):
 def ratios(points, judged):
     """(speed at Box2D's error, error at Box2D's speed) of gem's settings with all options, as factors; NaN: none is there."""
     cost, error = points[judged]
-    mine = [p for s, p in points.items() if re.fullmatch(r"gem( independent| gradient)? (dt/\d|\d?dt)( 2 threads| \d+ iterations)?", s)]
+    whole = r"gem( independent| gradient)? (dt/\d|\d?dt)( tolerance 1e-2| \d+ iterations)?( 2 threads)?"
+    mine = [p for s, p in points.items() if re.fullmatch(whole, s)]
     as_exact = [c for c, e in mine if e <= error]
     as_fast = [e for c, e in mine if c <= cost]
     return (cost / min(as_exact) if as_exact else math.nan,

@@ -6,7 +6,7 @@ import textwrap
 COLOURS = {"gem": "#0b5394", "independent": "#6fa8dc", "Box2D": "#c55a11", "thin": "#e6a23c", "other": "#6a329f",
            "dropped": "#38761d", "reference": "#444444", "cuda": "#a61c00",
            "gem2": "#073763", "iterations": "#3d85c6", "independent2": "#45818e", "Box2D moment": "#783f04",
-           "thin moment": "#bf9000", "gradient": "#a64d79", "gradient iterations": "#741b47"}
+           "thin moment": "#bf9000", "tolerance": "#76a5af", "gradient": "#a64d79", "gradient iterations": "#741b47"}
 
 
 FAMILIES = {"gem": "gem", "gradient": "gem gradient", "independent": "gem independent", "Box2D": "Box2D", "thin": "Box2D, thin skin", "other": "other",

@@ -62,6 +62,7 @@ TEST_F(RunWatchTest, StepsAboveTheToleranceAreCountedAmongThoseWithContacts) {
 /// As after --from: the scene of the run names a file, and only the field has the floes.
 TEST_F(RunWatchTest, TheToleranceIsThatOfTheEngineForFloesFasterThanTheCurrent) {
   SceneDef listed = scene_;
+  listed.floes.source = FloeSource::listed;
   FloeDef& floe = listed.floe.emplace_back();
   floe.outline_m = {{0.0, 0.0}, {5.0, 0.0}, {2.0, 4.0}};
   floe.velocity_m_per_s = {0.3, -1.1};

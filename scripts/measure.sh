@@ -110,12 +110,14 @@ closed_form() {
 # The regime with the longest tasks goes first, so that none is left at the end.
 windows() {
   seconds=${GEM_WINDOW_S:-32}
+  grep -v 8dt bench/window_settings.txt >"$out/short_settings.txt"
   regimes | while read -r regime case start; do
-    k=0
+    settings=bench/window_settings.txt k=0
+    [ "$regime" != drift ] || settings=$out/short_settings.txt # eight of its time steps do not divide a window
     while [ "$k" -lt "$(choice 1 "${GEM_WINDOWS:-20}")" ]; do
       name=windows_${regime}_$k
       in_tabs "$name" window_errors "$case" "$regime" "$(choice 20 $((start + ${GEM_SPACING_S:-32} * k)))" "$(choice 1 $((seconds / 4)))" \
-        1 "$(choice 4 "$seconds")" "$(choice 2 $((seconds / 4)))" 0 bench/window_settings.txt "$out/tasks/$name.errors" \
+        1 "$(choice 4 "$seconds")" "$(choice 2 $((seconds / 4)))" 0 "$settings" "$out/tasks/$name.errors" \
         "$out/tasks/$name.paths"
       k=$((k + 1))
     done

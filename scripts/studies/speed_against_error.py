@@ -226,8 +226,7 @@ def write_page():
     page = ["# Speed against error", "",
             "gem and Box2D 2.4.1 on the same scenes: what a second of simulated time costs and how wrong it is. Made by",
             "`scripts/studies speed_against_error` from measurements of `scripts/measure.sh`; nothing here is typed.",
-            "`gem` is operator splitting with a tolerance of 1e-3 of the current's speed and at most 192 iterations, the default until 28 November",
-            "2026. The default is 384 now, and a jam costs less than here (bench/notebook.md). `gem gradient`",
+            "`gem` is the default: operator splitting, a tolerance of 1e-3 of the current's speed and at most 384 iterations. `gem gradient`",
             "is `numerics.iteration = \"gradient\"`, 32 iterations, the default until 25 November 2026.", ""]
     for part in (bars, part_a, part_b, part_c, part_paths, part_speed, stated_conditions):
         page += part()

@@ -10,9 +10,9 @@ allowances=$(
   cat <<'END'
 gem/events/events.cpp bits exp once per run on the host; every engine is given the number
 gem/geometry/polygon.cpp bits atan2 checks the outline that a user gave, before the first time step
-gem/events/mooring.h bits exp once per run on the host; every engine is given the coefficients
-gem/events/mooring.h bits cos once per run on the host; every engine is given the coefficients
-gem/events/mooring.h bits sin once per run on the host; every engine is given the coefficients
+gem/events/platform/mooring.h bits exp once per run on the host; every engine is given the coefficients
+gem/events/platform/mooring.h bits cos once per run on the host; every engine is given the coefficients
+gem/events/platform/mooring.h bits sin once per run on the host; every engine is given the coefficients
 gem/events/crushing.h bits exp the duration of crushing is a reported quantity outside the step
 gem/events/crushing.h bits lgamma the duration of crushing is a reported quantity outside the step
 gem/engine/cuda/thread_groups.cuh order atomic counts of integers: any order gives the same

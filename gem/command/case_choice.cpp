@@ -11,7 +11,7 @@
 #include "gem/base/error.h"
 #include "gem/base/number_text.h"
 #include "gem/command/command.h"
-#include "gem/field/floe_file.h"
+#include "gem/field/files/floe_file.h"
 #include "gem/record/output/output_path.h"
 #include "gem/record/run_file/run_file.h"
 #include "gem/record/run_file/run_start.h"

@@ -5,7 +5,7 @@
 
 #include "gem/base/number_text.h"
 #include "gem/command/command_fixture.h"
-#include "gem/field/floe_file.h"
+#include "gem/field/files/floe_file.h"
 #include "gem/record/run_file/run_file.h"
 
 namespace gem {

@@ -12,7 +12,7 @@
 #include "gem/record/run_file/run_file.h"
 #include "gem/record/run_file/stored_case.h"
 #include "gem/report/run/line_record.h"
-#include "gem/run/checkpoint_path.h"
+#include "gem/run/checkpoint/checkpoint_path.h"
 
 namespace gem {
 

@@ -17,7 +17,7 @@
 #include <vector>
 
 #include "gem/base/vec2.h"
-#include "gem/events/transit_path.h"
+#include "gem/events/platform/transit_path.h"
 
 namespace gem {
 

@@ -1,32 +1,32 @@
 // The list of all events. Solo events act on one body, pair events on two. The engines include this file and no other
 // law.
 //
-// A new law is a header in this folder with its definition, and a test. Here it gets one member (EventDefinitions) and
-// one call; its keys go into the schema. A law of floes changes no engine file. One of the platform or of pairs may:
-// see "How to add a law" in gem/manual/architecture.md.
+// A new law is a header in this folder (in platform/ if it is one of the platform) with its definition, and a test.
+// Here it gets one member (EventDefinitions) and one call; its keys go into the schema. A law of floes changes no
+// engine file. One of the platform or of pairs may: see "How to add a law" in gem/manual/architecture.md.
 #pragma once
 
-#include "gem/events/added_mass.h"  // solo: water that the platform sets in motion
 #include "gem/events/breakup.h"
 #include "gem/events/contact_def.h"
-#include "gem/events/coriolis.h"         // solo: Coriolis force on a floe
-#include "gem/events/crushing.h"         // pair: closed-form peak of an impact
-#include "gem/events/current_drag.h"     // solo: water drag on a floe
-#include "gem/events/dp.h"               // solo: dynamic positioning of the platform
-#include "gem/events/drive.h"            // velocities of water and air over time
-#include "gem/events/elastic_contact.h"  // pair: static stress
-#include "gem/events/friction_memory.h"  // pair: friction of a hit that takes two time steps
-#include "gem/events/heading.h"          // solo: heading control of the platform
-#include "gem/events/impact.h"           // pair: plastic impact with friction
-#include "gem/events/mass_reduction.h"   // pair: effective mass
-#include "gem/events/mooring.h"          // solo: platform on its linear mooring
-#include "gem/events/mooring_laws.h"     // solo: platform on tables, lines, yaw stiffness
-#include "gem/events/motion.h"           // solo: motion
-#include "gem/events/platform_drag.h"    // solo: water drag on the platform
+#include "gem/events/coriolis.h"                 // solo: Coriolis force on a floe
+#include "gem/events/crushing.h"                 // pair: closed-form peak of an impact
+#include "gem/events/current_drag.h"             // solo: water drag on a floe
+#include "gem/events/drive.h"                    // velocities of water and air over time
+#include "gem/events/elastic_contact.h"          // pair: static stress
+#include "gem/events/friction_memory.h"          // pair: friction of a hit that takes two time steps
+#include "gem/events/impact.h"                   // pair: plastic impact with friction
+#include "gem/events/mass_reduction.h"           // pair: effective mass
+#include "gem/events/motion.h"                   // solo: motion
+#include "gem/events/platform/added_mass.h"      // solo: water that the platform sets in motion
+#include "gem/events/platform/dp.h"              // solo: dynamic positioning of the platform
+#include "gem/events/platform/heading.h"         // solo: heading control of the platform
+#include "gem/events/platform/mooring.h"         // solo: platform on its linear mooring
+#include "gem/events/platform/mooring_laws.h"    // solo: platform on tables, lines, yaw stiffness
+#include "gem/events/platform/platform_drag.h"   // solo: water drag on the platform
+#include "gem/events/platform/transit.h"         // solo: the platform as a ship on its way
+#include "gem/events/platform/transit_thrust.h"  // solo: thrust of a ship on its way
 #include "gem/events/quantity.h"
-#include "gem/events/transit.h"         // solo: the platform as a ship on its way
-#include "gem/events/transit_thrust.h"  // solo: thrust of a ship on its way
-#include "gem/events/wind.h"            // solo: wind on a floe and on the platform
+#include "gem/events/wind.h"  // solo: wind on a floe and on the platform
 
 namespace gem {
 

@@ -12,7 +12,7 @@
 #include "gem/field/check_field.h"
 #include "gem/field/check_outline.h"
 #include "gem/field/field.h"
-#include "gem/field/floe_file.h"
+#include "gem/field/files/floe_file.h"
 #include "gem/scene/toml/scene_file.h"
 
 namespace gem {

@@ -10,7 +10,7 @@
 #include "gem/field/check_field.h"
 #include "gem/field/check_outline.h"
 #include "gem/field/drag_coefficients.h"
-#include "gem/field/floe_file.h"
+#include "gem/field/files/floe_file.h"
 #include "gem/field/floe_reserve.h"
 #include "gem/field/generator/floe_set.h"
 #include "gem/field/generator/generator.h"

@@ -5,7 +5,7 @@
 
 #include "gem/field/check_field.h"
 #include "gem/field/field.h"
-#include "gem/field/floe_file.h"
+#include "gem/field/files/floe_file.h"
 #include "gem/field/floe_reserve.h"
 #include "gem/field/reached_concentration.h"
 #include "gem/geometry/polygon.h"

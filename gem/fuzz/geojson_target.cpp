@@ -1,5 +1,5 @@
 // Fuzz target: floes in a GeoJSON file.
-#include "gem/field/floe_file.h"
+#include "gem/field/files/floe_file.h"
 #include "gem/fuzz/target.h"
 #include "gem/scene/check_scene.h"
 

@@ -13,7 +13,7 @@
 #include "gem/base/number_text.h"
 #include "gem/field/floe_reserve.h"
 #include "gem/record/run_file/run_file.h"
-#include "gem/run/checkpoint_file.h"
+#include "gem/run/checkpoint/checkpoint_file.h"
 #include "gem/scene/toml/scene_file.h"
 
 namespace gem {

@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "gem/record/recorder.h"
-#include "gem/run/checkpoint_keeper.h"
+#include "gem/run/checkpoint/checkpoint_keeper.h"
 #include "gem/run/run_scene.h"
 #include "gem/run/run_watch.h"
 

@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "gem/base/strict_math.h"
-#include "gem/events/heading.h"
+#include "gem/events/platform/heading.h"
 #include "gem/geometry/polygon.h"
 #include "gem/scene/check_scene.h"
 #include "gem/scene/scene_bounds.h"

@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "gem/base/vec2.h"
-#include "gem/events/dp_design.h"
 #include "gem/events/events.h"
-#include "gem/events/mooring_tables.h"
+#include "gem/events/platform/dp_design.h"
+#include "gem/events/platform/mooring_tables.h"
 
 namespace gem {
 

@@ -2,7 +2,7 @@
 # and a fixed number of changed inputs. Both are the tests fuzz.*.
 set(fuzzed_commands gem/command/info_command.cpp gem/command/verdict_output.cpp gem/command/case_choice.cpp gem/command/run/branch.cpp
   gem/command/time_option.cpp gem/command/command_line.cpp gem/command/sweep/sweep_settings.cpp
-  gem/run/checkpoint_path.cpp)
+  gem/run/checkpoint/checkpoint_path.cpp)
 foreach(source ${fuzzed_commands})  # so that a build without clang sees a file that was moved
   if(NOT EXISTS ${PROJECT_SOURCE_DIR}/${source})
     message(FATAL_ERROR "scripts/cmake/gem_fuzz.cmake: no ${source} (moved or renamed?)")

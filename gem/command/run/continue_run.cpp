@@ -7,7 +7,7 @@
 #include "gem/record/output/output_claim.h"
 #include "gem/record/output/output_path.h"
 #include "gem/record/run_file/run_file.h"
-#include "gem/run/resume.h"
+#include "gem/run/checkpoint/resume.h"
 
 namespace gem {
 namespace {

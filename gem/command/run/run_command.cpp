@@ -9,7 +9,7 @@
 #include "gem/base/number_text.h"
 #include "gem/command/run/run_choice.h"
 #include "gem/field/field.h"
-#include "gem/field/floe_file.h"
+#include "gem/field/files/floe_file.h"
 #include "gem/record/output/output_path.h"
 #include "gem/run/run_signals.h"
 #include "gem/scene/check_scene.h"

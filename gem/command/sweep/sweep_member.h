@@ -9,7 +9,7 @@
 #include "gem/command/sweep/folder/sweep_folder.h"
 #include "gem/command/sweep/sweep_board.h"
 #include "gem/engine/engine.h"
-#include "gem/run/resume.h"
+#include "gem/run/checkpoint/resume.h"
 #include "gem/run/run_scene.h"
 #include "gem/scene/sweep/sweep.h"
 

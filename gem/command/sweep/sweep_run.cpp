@@ -17,7 +17,7 @@
 #include "gem/command/sweep/sweep_plan.h"
 #include "gem/record/output/output_path.h"
 #include "gem/record/verdict.h"
-#include "gem/run/resume.h"
+#include "gem/run/checkpoint/resume.h"
 #include "gem/run/run_signals.h"
 
 namespace gem {

@@ -7,7 +7,7 @@
 
 #include "gem/engine/device/forces.h"
 #include "gem/engine/device/narrow_phase.h"
-#include "gem/engine/solver/device_points.h"
+#include "gem/engine/solver/device/device_points.h"
 
 namespace gem {
 

@@ -27,7 +27,7 @@
 #include <cstddef>
 
 #include "gem/engine/device/plan.h"
-#include "gem/engine/solver/splitting/device_splitting.h"
+#include "gem/engine/solver/splitting/device/device_splitting.h"
 
 namespace gem {
 

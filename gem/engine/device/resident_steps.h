@@ -13,7 +13,7 @@
 #include "gem/engine/device/list.h"
 #include "gem/engine/device/pairs.h"
 #include "gem/engine/device/platform.h"
-#include "gem/engine/solver/device_solver.h"
+#include "gem/engine/solver/device/device_solver.h"
 #include "gem/engine/step/stages.h"
 
 namespace gem {

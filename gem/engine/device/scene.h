@@ -16,7 +16,7 @@
 #include <cstdint>
 
 #include "gem/engine/device/cells.h"
-#include "gem/engine/solver/device_points_cells.h"
+#include "gem/engine/solver/device/device_points_cells.h"
 #include "gem/engine/solver/iteration_control.h"
 #include "gem/engine/solver/solver_workspace.h"
 #include "gem/engine/solver/splitting/island_memory.h"

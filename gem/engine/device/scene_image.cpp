@@ -8,7 +8,7 @@
 
 #include "gem/base/error.h"
 #include "gem/engine/device/scene_layout.h"
-#include "gem/engine/solver/device_solver.h"
+#include "gem/engine/solver/device/device_solver.h"
 #include "gem/engine/solver/splitting/island_view.h"
 #include "gem/engine/step/books.h"
 

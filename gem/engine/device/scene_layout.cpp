@@ -7,7 +7,7 @@
 #include <limits>
 
 #include "gem/engine/device/forces.h"
-#include "gem/engine/solver/device_solver.h"
+#include "gem/engine/solver/device/device_solver.h"
 #include "gem/engine/solver/splitting/gradient_point.h"
 #include "gem/engine/solver/splitting/island_view.h"
 #include "gem/engine/step/books.h"

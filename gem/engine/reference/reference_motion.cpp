@@ -5,7 +5,7 @@
 #include "gem/engine/reference/reference_books.h"
 #include "gem/events/events.h"
 #include "gem/events/motion.h"
-#include "gem/events/platform_drag.h"
+#include "gem/events/platform/platform_drag.h"
 
 namespace gem::reference {
 namespace {

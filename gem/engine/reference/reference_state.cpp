@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "gem/events/platform_drag.h"
+#include "gem/events/platform/platform_drag.h"
 #include "gem/field/platform_pieces.h"
 #include "gem/scene/platform_shape.h"
 #include "gem/scene/scene_bounds.h"

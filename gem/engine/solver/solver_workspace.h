@@ -4,7 +4,7 @@
 #include <cstddef>
 
 #include "gem/engine/solver/coupled_visit.h"
-#include "gem/engine/solver/device_points_cells.h"
+#include "gem/engine/solver/device/device_points_cells.h"
 #include "gem/engine/solver/iteration_control.h"
 
 namespace gem {

@@ -16,7 +16,7 @@
 #include <vector>
 
 #include "gem/engine/device/thread_group.h"
-#include "gem/engine/solver/device_points_cells.h"
+#include "gem/engine/solver/device/device_points_cells.h"
 
 namespace gem::test {
 

@@ -4,7 +4,7 @@
 #include <cstdint>
 
 #include "gem/base/vec2.h"
-#include "gem/engine/solver/device_points_cells.h"
+#include "gem/engine/solver/device/device_points_cells.h"
 #include "gem/engine/solver/splitting/split_point.h"
 
 namespace gem {

@@ -27,8 +27,8 @@
 #include <vector>
 
 #include "gem/base/vec2.h"
-#include "gem/engine/solver/splitting/dissection.h"
-#include "gem/engine/solver/splitting/front_factor.h"
+#include "gem/engine/solver/splitting/factor/dissection.h"
+#include "gem/engine/solver/splitting/factor/front_factor.h"
 #include "gem/engine/solver/splitting/island.h"
 #include "gem/engine/solver/splitting/island_crew.h"
 #include "gem/engine/solver/splitting/island_gradient.h"

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "gem/engine/solver/splitting/body_rows.h"
-#include "gem/engine/solver/splitting/front_factor.h"
+#include "gem/engine/solver/splitting/factor/front_factor.h"
 #include "gem/engine/solver/splitting/island_crew.h"
 #include "gem/engine/solver/splitting/split_point.h"
 

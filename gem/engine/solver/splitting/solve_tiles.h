@@ -5,7 +5,7 @@
 #include <cstdint>
 
 #include "gem/base/macros.h"
-#include "gem/engine/solver/splitting/dissection_rules.h"
+#include "gem/engine/solver/splitting/factor/dissection_rules.h"
 
 namespace gem {
 

@@ -29,7 +29,7 @@ bash -c "source '$prefix/share/bash-completion/completions/gem' && complete -p g
 
 # Libraries for development are not part of a static build.
 [ -d "$prefix/include/gem" ] || exit 0
-# With the build program that is there: make need not be.
+# Uses the generator of the build; make may be missing.
 generator=$(sed -n 's/^CMAKE_GENERATOR:INTERNAL=//p' "$build/CMakeCache.txt")
 "$cmake" -S "$source/gem/manual/examples/consumer" -B "$folder/consumer" -G "$generator" -DCMAKE_PREFIX_PATH="$prefix" \
   -DCMAKE_CXX_COMPILER="$compiler" -DCMAKE_BUILD_TYPE=Release >"$folder/log" 2>&1 || fail "$(cat "$folder/log")"

@@ -8,7 +8,7 @@
 #   PART      closed_form paths windows speed ensembles; default: all, in this order. Ensembles always come last;
 #             ensembles:agreement and the like run one part of the plan
 # Environment: GEM_TIMED=14 processors for timed tasks, so that each has a core of its own; default: JOBS less two
-#              GEM_WINDOWS=20 of each regime, GEM_WINDOW_S=32 long (a multiple of 4, which all time steps divide), one every
+#              GEM_WINDOWS=20 of each regime, GEM_WINDOW_S=32 long (a multiple of 4), one every
 #              GEM_SPACING_S=32
 #              GEM_MINUTES=9 stop after this time, with what is finished
 #              GEM_DRIFT_M=600 drift distance for speed; GEM_WHOLE=1 speed over whole runs
@@ -50,6 +50,7 @@ conditions() {
   note "machine $(uname -sm), $(grep -c ^processor /proc/cpuinfo) x$(sed -n 's/^model name[^:]*://p' /proc/cpuinfo | head -n 1)"
   note "load $(cut -d' ' -f1-3 /proc/loadavg), jobs $jobs, timed jobs $timed, quick $quick"
   note "program $("$programs/gem" --version | tr '\n' ' ')"
+  note "windows of ${GEM_WINDOW_S:-32} s, one every ${GEM_SPACING_S:-32} s"
 }
 
 # task LINE: name, program and its arguments, separated by tabs; it writes the files $out/tasks/NAME.*
@@ -110,10 +111,10 @@ closed_form() {
 # The regime with the longest tasks goes first, so that none is left at the end.
 windows() {
   seconds=${GEM_WINDOW_S:-32}
-  grep -v 8dt bench/window_settings.txt >"$out/short_settings.txt"
+  grep -v step_factor=8 bench/window_settings.txt >"$out/short_settings.txt"
   regimes | while read -r regime case start; do
     settings=bench/window_settings.txt k=0
-    [ "$regime" != drift ] || settings=$out/short_settings.txt # eight of its time steps do not divide a window
+    [ "$regime" != drift ] || settings=$out/short_settings.txt # eight of its time steps do not divide 4 s
     while [ "$k" -lt "$(choice 1 "${GEM_WINDOWS:-20}")" ]; do
       name=windows_${regime}_$k
       in_tabs "$name" window_errors "$case" "$regime" "$(choice 20 $((start + ${GEM_SPACING_S:-32} * k)))" "$(choice 1 $((seconds / 4)))" \

@@ -40,11 +40,13 @@ std::string check_json(const SceneDef& scene, const FieldSummary& field, const s
   return object.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
 }
 
-/// Natural period without damping and added mass, to compare with the known period of the platform.
+/// Natural period without damping, to compare with the known period of the platform.
 std::string mooring_text(const SceneDef& scene) {
   if (scene.platform.fixed) return "fixed";
-  const double period = natural_period(scene);
-  if (period > 0.0) return "natural period " + number_text(period, 4) + " s";
+  const double x = natural_period(scene), y = natural_period(scene, {0.0, 1.0});
+  const auto along = [](double period) { return period > 0.0 ? number_text(period, 4) + " s" : std::string("none"); };
+  if (x > 0.0 && number_text(x, 4) == number_text(y, 4)) return "natural period " + along(x);
+  if (x > 0.0 || y > 0.0) return "natural period " + along(x) + " along x, " + along(y) + " along y";
   return scene.mooring.law == MooringLaw::linear ? "not moored" : "moored, slack at rest";
 }
 

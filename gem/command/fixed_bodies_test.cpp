@@ -76,5 +76,20 @@ TEST_F(CommandTest, AnalyseSaysNothingOfFixedBodiesWithoutTheForces) {
   EXPECT_EQ(text_of("out").find("fixed_"), std::string::npos) << text_of("out");
 }
 
+TEST_F(CommandTest, AnalyseSaysTheLoadOnFixedBodiesWithoutAPlatform) {
+  const std::string text = row_case;
+  const std::size_t begin = text.find("[platform]"), end = text.find("[output]");
+  std::ofstream(path("row.toml")) << text.substr(0, begin) + "[platform]\npresent = false\n" + text.substr(end);
+  ASSERT_EQ(shell("gem run row.toml -q --threads 1 --engine cpu && gem analyse row.h5 --from 20"), 0) << text_of("err");
+  EXPECT_NE(text_of("out").find("\n  fixed_1_force_x_mean_N          899."), std::string::npos) << text_of("out");
+  EXPECT_NE(text_of("out").find(": row, 40 s\n"), std::string::npos) << text_of("out");
+  EXPECT_EQ(text_of("out").find("contact_fraction"), std::string::npos) << text_of("out");
+  EXPECT_EQ(shell("gem analyse row.h5 --from 59.5"), 2);
+  EXPECT_NE(text_of("err").find("fewer than 2 floe frames after --from 59.5 s"), std::string::npos) << text_of("err");
+  ASSERT_EQ(shell("gem run row.toml -q --threads 1 --engine cpu --out other.h5 --set output.contact_forces=false"), 0);
+  EXPECT_EQ(shell("gem analyse other.h5"), 2);
+  EXPECT_NE(text_of("err").find("output.contact_forces = true"), std::string::npos) << text_of("err");
+}
+
 }  // namespace
 }  // namespace gem

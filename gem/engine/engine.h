@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <functional>
 #include <initializer_list>
+#include <limits>
 #include <memory>
 #include <string>
 #include <vector>
@@ -165,6 +166,8 @@ class Engine {
   virtual std::string name() const = 0;
   /// How contacts are resolved, for the record. Empty: as contact.solver of the scene says.
   virtual std::string method() const { return {}; }
+  /// The residual at which the iterations of `coupled` end [m/s]; NaN: it does not iterate to one.
+  virtual double asked_residual() const { return std::numeric_limits<double>::quiet_NaN(); }
   /// The accelerator it runs on, for the run file. Empty: none.
   virtual std::string device() const { return {}; }
   /// Advances the field by `steps` time steps and appends to `log`. Throws Error(numerical_stop) if the state is not

@@ -15,6 +15,7 @@ class CudaMember : public Engine {
   CudaMember(CudaBatch& batch, std::size_t scene) : batch_(batch), scene_(scene) {}
   std::string name() const override { return "cuda"; }
   std::string device() const override { return batch_.device().name + ", " + batch_.device().driver; }
+  double asked_residual() const override { return batch_.asked_residual(scene_); }
   void advance(std::int64_t, StepLog&) override {
     throw Error(ExitCode::usage, "a scene of a batch cannot be advanced on its own");
   }

@@ -33,6 +33,7 @@ class FakeEngine : public Engine {
  public:
   FakeEngine(const SceneDef& scene, Bodies bodies) : dt_(scene.numerics.time_step_s), bodies_(std::move(bodies)) {}
   std::string name() const override { return "fake"; }
+  double asked_residual() const override { return asked; }
   std::int64_t step() const override { return step_; }
   const Bodies& bodies() override { return bodies_; }
   EngineState save() override { return {}; }
@@ -67,6 +68,7 @@ class FakeEngine : public Engine {
     }
   }
 
+  double asked = std::nan("");  // residual [m/s]
   std::int64_t stop_at = -1;
   std::int64_t lose_energy_at = 1LL << 60;
 

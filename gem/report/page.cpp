@@ -10,14 +10,14 @@ namespace {
 
 constexpr const char* kNotes = R"(<section><h2>How to read the numbers</h2>
 <div class="notes">
-<p>x points along the current, y to its left; motion is measured from where the mooring pulls nothing. Forces and
-impulses act on the platform.</p>
+<p>x and y are the axes of the case; motion is measured from where the mooring pulls nothing. Forces and impulses act on
+the platform.</p>
 <p>Ice loads are three quantities that are never mixed. The <em>impulse of a hit</em> is what
 one floe gives from first touch to release; a floe that rests against the platform may press for minutes. An <em>average</em>
 is the impulse over a stated time, divided by that time. A <em>crushing peak</em> is the closed-form force at the end of the
-crushing of one hit, from closing speed, effective mass, thickness and contact width. It lasts about a tenth of a second or
-less and does not follow from the impulse over a time step. Against a flat side it is pressure times contact area whatever
-the speed, and lasts milliseconds: a bound on local load, not a load on the mooring. <em>Not converged</em> stands beside
+crushing of one hit, from closing speed, effective mass, thickness and contact width, of the two bodies alone. Floes that
+push from behind add to a hit, so an average over a short time may be larger. Against a flat side the peak is pressure times
+contact area whatever the speed, and lasts milliseconds. It is a local load, not a load on the mooring. <em>Not converged</em> stands beside
 loads of a short time if the verdict doubts the run for its unfinished time steps: there the iterations ended above their
 tolerance, so that a contact gave part of its impulse later.</p>
 <p>Means, periods and contact are those of <code>gem analyse</code>, with intervals of 95 %. Intervals of
@@ -63,7 +63,9 @@ std::string page_title(const std::string& run) { return escaped(run) + " - run r
 std::string page_html(const RunData& run, const RunFindings& findings, const std::vector<Finding>& analysis,
                       const PageFigures& figures) {
   const std::string name = escaped(run.identity.name);
-  std::string html = "<header><h1>" + name + "</h1>\n<p>Ice loads on a platform: report of one run</p></header>\n";
+  const std::string loads_on = run.platform.time.empty() && !run.on_fixed.force.empty() ? "fixed bodies" : "a platform";
+  std::string html =
+      "<header><h1>" + name + "</h1>\n<p>Ice loads on " + loads_on + ": report of one run</p></header>\n";
   html += warning(run.identity) + bad_warning(run.verdict) + headline_html(run, findings, analysis);
   html += figures.field.empty() ? no_field_html(run) : figure_section("The field", figures.field, false);
   html += "<section><h2 class=\"page\">The run in numbers</h2>\n" + verdict_html(run.verdict) +

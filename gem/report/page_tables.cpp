@@ -71,7 +71,7 @@ std::string figure_of_run(const std::string& value, const std::string& meaning) 
 std::string main_period_html(const RunData& run, const Finding& period) {
   if (!period.value || !period.interval) return "";
   std::string meaning = "main period in x, " + ends_text(*period.interval, kSeconds);
-  if (run.natural_period_s > 0.0) meaning += "; natural period " + with_unit(run.natural_period_s, kSeconds);
+  if (run.natural_period_s > 0.0) meaning += "; natural period along x " + with_unit(run.natural_period_s, kSeconds);
   return figure_of_run(is_resolved(period) ? with_unit(*period.value, kSeconds) : "not resolved", meaning);
 }
 
@@ -164,7 +164,7 @@ std::string motion_html(const RunData& run, const RunFindings& findings, const s
   const Unit unit = length_unit(findings.radial_excursion);
   const auto named = [&](const std::string& name) { return finding_of(analysis, name); };
   std::string rows =
-      "<tr><td></td><th scope=\"col\">x, along the current</th><th scope=\"col\">y, across</th></tr>\n" +
+      "<tr><td></td><th scope=\"col\">x</th><th scope=\"col\">y</th></tr>\n" +
       row("mean offset, 95 % interval", {mean_text(named("x_offset_m"), unit), mean_text(named("y_offset_m"), unit)}) +
       row("standard deviation", {with_unit(x.deviation, unit), with_unit(y.deviation, unit)}) +
       row("largest excursion from rest", {with_unit(x.excursion, unit) + at_time(x.excursion_time, run.duration_s),
@@ -176,10 +176,9 @@ std::string motion_html(const RunData& run, const RunFindings& findings, const s
                                                       {"period, local maxima", "period_by_maxima_s"}};
   for (const auto& [words, name] : ways)
     rows += row(words, {period_text(named(std::string("x_") + name)), period_text(named(std::string("y_") + name))});
-  if (run.natural_period_s > 0.0) {
-    const std::string natural = rounded_text(run.natural_period_s, 4) + " s";
-    rows += row("natural period, 2&pi;&radic;(M/k)", {natural, natural});
-  }
+  const auto natural = [](double period) { return period > 0.0 ? rounded_text(period, 4) + " s" : "none"; };
+  if (run.natural_period_s > 0.0 || run.natural_period_y_s > 0.0)
+    rows += row("natural period, 2&pi;&radic;(M/k)", {natural(run.natural_period_s), natural(run.natural_period_y_s)});
   return table("Motion of the platform", rows);
 }
 

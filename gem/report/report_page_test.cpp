@@ -10,7 +10,10 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
+#include <set>
 #include <sstream>
+#include <utility>
 
 #include "gem/base/error.h"
 #include "gem/record/run_file/run_writer.h"
@@ -72,6 +75,43 @@ TEST_F(Report, ShowsTheForcesOnFixedBodiesWithoutAPlatform) {
   EXPECT_NE(page().find("<td>4.00 kN</td>"), std::string::npos) << page();
   EXPECT_EQ(page().find("no contact"), std::string::npos);
   EXPECT_NE(page().find(">Forces on fixed bodies<"), std::string::npos);
+}
+
+/// The platform rests at (200, 10). A wall passes over its picture, which reaches 30 m to three sides and 42 m to the
+/// fourth.
+TEST_F(Report, DrawsTheIceAroundThePlatformWhereItStands) {
+  RunData run = swinging_platform();
+  run.rest = {200.0, 10.0};
+  for (double& x : run.platform.x) x += 200.0;
+  for (double& y : run.platform.y) y += 10.0;
+  run.fixed = {{{0.0, 25.0}, {500.0, 35.0}, {500.0, 900.0}, {0.0, 900.0}}};
+  write_report(run, out(), false);
+  std::ifstream commands(folder_ / "report" / "figures" / "field_platform.gp");
+  const std::string text{std::istreambuf_iterator<char>(commands), {}};
+  EXPECT_NE(text.find("set xrange [158.00:230.00]\nset yrange [-20.000:40.000]"), std::string::npos) << text;
+  std::ifstream wall(folder_ / "report" / "figures" / "field_platform_fixed.csv");
+  std::string line;
+  std::getline(wall, line);
+  std::set<std::pair<double, double>> corners;
+  double x = 0.0, y = 0.0;
+  for (char comma = 0; wall >> x >> comma >> y;) corners.insert({x, y});
+  ASSERT_EQ(corners.size(), 4u);
+  const double left = 25.0 + 158.0 * 10.0 / 500.0, right = 25.0 + 230.0 * 10.0 / 500.0;
+  const std::set<std::pair<double, double>> wanted = {{158.0, left}, {158.0, 40.0}, {230.0, right}, {230.0, 40.0}};
+  for (auto is = corners.begin(), want = wanted.begin(); is != corners.end(); ++is, ++want) {
+    EXPECT_NEAR(is->first, want->first, 1e-3);
+    EXPECT_NEAR(is->second, want->second, 1e-3);
+  }
+}
+
+TEST_F(Report, HasNoFiguresOfAMotionThatIsNone) {
+  RunData run = swinging_platform();
+  run.platform.x.assign(run.platform.x.size(), 0.0);
+  run.platform.y.assign(run.platform.y.size(), 0.0);
+  write_report(run, out(), false);
+  EXPECT_EQ(page().find("figures/motion_x.gp"), std::string::npos);
+  EXPECT_EQ(page().find("figures/spectrum.gp"), std::string::npos);
+  EXPECT_NE(page().find("figures/ice_force.gp"), std::string::npos);
 }
 
 // The impulse belongs to the sample that ends at 200 s. Its mean over 1 s is recorded there and drawn at 199.5 s.

@@ -28,11 +28,10 @@ double contact_energy(const Ledger& ledger) {
 }  // namespace
 
 RunWatch::RunWatch(const SceneDef& scene, Engine& engine)
-    : time_step_(scene.numerics.time_step_s), has_platform_(scene.platform.present), asked_residual_(std::nan("")) {
+    : time_step_(scene.numerics.time_step_s),
+      has_platform_(scene.platform.present),
+      asked_residual_(engine.asked_residual()) {
   now_.measures.speed_scale = speed_scale_of(scene, engine.bodies());
-  // As step_constants() has it. The scene of a run need not list the floes that its engine began with.
-  if (scene.contact.solver == ContactSolver::coupled && engine.method().empty())
-    asked_residual_ = scene.numerics.residual_tolerance * now_.measures.driving_speed();
   const IceDef& ice = scene.ice;
   const double other_side =
       scene.platform.present ? std::min(ice.friction_ice, ice.friction_structure) : ice.friction_ice;

@@ -84,21 +84,23 @@ double largest_mooring_stiffness(const SceneDef& scene) {
   return scene.mooring.law == MooringLaw::catenary ? sum : largest;
 }
 
-double mooring_stiffness_at_rest(const SceneDef& scene) {
+double mooring_stiffness_at_rest(const SceneDef& scene, Vec2 along) {
   if (!scene.platform.present || scene.platform.fixed) return 0.0;
   if (is_linear(scene)) return scene.mooring.stiffness_N_per_m;
   const Mooring mooring(scene);
   constexpr double step = 1e-3;  // [m]; small against any mooring's offsets, large against rounding
-  return std::max(0.0, (mooring.pull({-step, 0.0}).force.x - mooring.pull({step, 0.0}).force.x) / (2.0 * step));
+  const Vec2 change = mooring.pull(-step * along).force - mooring.pull(step * along).force;
+  return std::max(0.0, dot(change, along) / (2.0 * step));
 }
 
-double natural_period(const SceneDef& scene) {
-  const double stiffness = mooring_stiffness_at_rest(scene), mass = scene.platform.mass_kg;
+double natural_period(const SceneDef& scene, Vec2 along) {
+  const double stiffness = mooring_stiffness_at_rest(scene, along), mass = scene.platform.mass_kg;
   const AddedMass a = added_mass(scene.added_mass, mass, 1.0, false);
   if (!a.present) return natural_period(stiffness, mass);
   const Rotation q = strict::rotation_of_angle(scene.platform.start_yaw_rad);
-  // of a push along x, as much as the platform gives way along x
-  const double left = q.cosine * q.cosine * a.surge_left + q.sine * q.sine * a.sway_left;
+  const double surge = dot({q.cosine, q.sine}, along), sway = dot({-q.sine, q.cosine}, along);
+  // of a push, as much as the platform gives way along it
+  const double left = surge * surge * a.surge_left + sway * sway * a.sway_left;
   return natural_period(stiffness, mass / left);
 }
 

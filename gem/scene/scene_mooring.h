@@ -11,12 +11,13 @@ MooringTables mooring_tables(const SceneDef& scene);
 /// Largest stiffness of the mooring in surge and sway at any offset [N/m].
 double largest_mooring_stiffness(const SceneDef& scene);
 
-/// Stiffness of the mooring in surge where the platform rests at its anchor [N/m]; 0 where the mooring is slack there,
-/// without a platform, and for a fixed one, which needs no mooring.
-double mooring_stiffness_at_rest(const SceneDef& scene);
+/// Stiffness of the mooring along a unit vector where the platform rests at its anchor [N/m]; 0 where the mooring is
+/// slack there, without a platform, and for a fixed one, which needs no mooring.
+double mooring_stiffness_at_rest(const SceneDef& scene, Vec2 along = {1.0, 0.0});
 
-/// Natural period of small swings in surge, without damping [s]; 0 without mooring, and where it is slack at rest.
-double natural_period(const SceneDef& scene);
+/// Natural period of small swings along a unit vector at the start yaw, without damping and if nothing moves across it
+/// [s]; 0 without mooring, and where it is slack at rest.
+double natural_period(const SceneDef& scene, Vec2 along = {1.0, 0.0});
 
 /// Tensions of the lines at their fairleads at t = 0 [N].
 std::vector<double> line_tensions_at_start(const SceneDef& scene);

@@ -26,8 +26,7 @@ void PrintTo(const Kind& kind, std::ostream* out) {
 
 SceneDef of_kind(SceneDef scene, const Kind& kind) {
   scene.contact.solver = kind.solver;
-  scene.numerics.iteration = kind.iteration;
-  return scene;
+  return test::iterated_by(std::move(scene), kind.iteration);
 }
 
 void expect_same_engine(Engine& cuda, const StepLog& log, Engine& cpu, const StepLog& expected) {

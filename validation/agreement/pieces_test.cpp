@@ -188,13 +188,16 @@ TEST_F(FloeBetweenPiecesOnGpu, HasTheBitsOfTheCpu) {
   CudaBatch batch({{scene, test::busy_field(scene)}}, {.route = Route::phases});
   StepLog expected;
   std::vector<StepLog> logs(1);
-  for (const std::int64_t steps : {1, 9, 90, 300}) {
+  int on_two_pieces = 0;
+  for (const std::int64_t steps : {1, 9, 30, 60, 300}) {
     cpu->advance(steps, expected);
     batch.advance(steps, &logs);
+    on_two_pieces += test::has_floe_on_two_pieces(cpu->contact_forces());
     EXPECT_EQ(batch.state_hash(0), cpu->state_hash()) << "after " << steps << " more time steps";
     test::expect_same_log(logs[0], expected);
   }
   EXPECT_GT(test::contacts_in(expected), 1000);
+  EXPECT_GT(on_two_pieces, 2);
 }
 
 }  // namespace

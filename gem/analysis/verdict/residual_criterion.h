@@ -20,8 +20,8 @@ inline Judgement judge_residual(const RunMeasures& run) {
                                       "the solver does not iterate to a tolerance"};
   const Occurred share = {run.residual_most / run.driving_speed()};
   return judge(criterion, share,
-               "the residual exceeds " + percent_text(share.value) +
-                   " of the driving speed in a tenth of the time steps with contacts");
+               "nine tenths of the time steps with contacts leave at most " + percent_text(share.value) +
+                   " of the driving speed");
 }
 
 }  // namespace gem

@@ -20,9 +20,9 @@ inline Judgement judge_unfinished(const RunMeasures& run) {
                                       "the solver does not iterate to a tolerance"};
   const double scale = run.driving_speed();
   std::string finding = percent_text(run.unfinished_share) +
-                        " of the time steps with contacts end above numerics.residual_tolerance, with a residual of " +
-                        percent_text(run.residual_median / scale) + " of the driving speed " + number_text(scale, 3) +
-                        " m/s in the median and " + percent_text(run.residual.value / scale) + " at worst";
+                        " of the time steps with contacts end above numerics.residual_tolerance; half of all leave " +
+                        "at most " + percent_text(run.residual_median / scale) + " of the driving speed " +
+                        number_text(scale, 3) + " m/s, the worst " + percent_text(run.residual.value / scale);
   if (!std::isnan(run.residual.time_s)) finding += ", at " + number_text(run.residual.time_s, 6) + " s";
   return judge(criterion, {run.unfinished_share}, finding);
 }

@@ -2,9 +2,9 @@
 #include <memory>
 
 #include "gem/base/error.h"
-#include "gem/base/number_text.h"
 #include "gem/command/analyse/analyse_output.h"
 #include "gem/command/command.h"
+#include "gem/command/time_option.h"
 #include "gem/record/output/output_path.h"
 
 namespace gem {
@@ -14,18 +14,15 @@ using Json = nlohmann::ordered_json;
 
 struct AnalyseOptions {
   std::vector<std::string> paths;
-  double from_s = 0.0;
+  std::string from = "0";
   bool allow_incomplete = false;
   bool json = false;
 };
 
 int analyse(const AnalyseOptions& options) {
-  if (!(options.from_s >= 0.0))
-    throw Error(ExitCode::usage,
-                "--from " + number_text(options.from_s) + " is not a valid time (it must be 0 s or more) correct it");
+  const double from_s = time_of_option("--from", options.from);
   std::vector<AnalysedRun> runs;
-  for (const std::string& path : options.paths)
-    runs.push_back(analysed(path, options.from_s, options.allow_incomplete));
+  for (const std::string& path : options.paths) runs.push_back(analysed(path, from_s, options.allow_incomplete));
   const auto say = [&options](const auto&... what) {
     print(options.json ? json_of(what...).dump(2, ' ', false, Json::error_handler_t::replace) + "\n"
                        : text_of(what...));
@@ -46,7 +43,10 @@ void add_analyse_command(CLI::App& app, Chosen& chosen) {
   command->add_option("files", options->paths, "run files; several count as independent runs of one condition")
       ->required()
       ->type_name("RUNFILE");
-  command->add_option("--from", options->from_s, "ignore the record before this time, e.g. until the ice arrives [s]");
+  command
+      ->add_option("--from", options->from,
+                   "ignore the record before this time, e.g. until the ice arrives; in s, or with its unit, e.g. 5min")
+      ->type_name("TIME");
   command->add_flag("--allow-incomplete", options->allow_incomplete, "analyse incomplete runs");
   command->add_flag("--json", options->json, "as JSON");
   command->callback([options, &chosen] {

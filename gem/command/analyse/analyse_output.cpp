@@ -135,6 +135,7 @@ std::string text_of(const AnalysedRun& run) {
     text +=
         "not resolved: the record has too few cycles or spells for it (a period by spectrum needs 5 cycles and an "
         "interval within a\nfactor of two, one by crossings 20), or nothing moved; a longer run may have it\n";
+  if (!finding_of(run.findings, "contact_fraction").value) return text;
   return text + text_of(run.lines) +
          "spells and gaps cut by an end of the record count with their observed part: mean = total time over "
          "the\n"

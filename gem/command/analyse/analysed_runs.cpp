@@ -13,6 +13,7 @@
 #include "gem/record/output/output_path.h"
 #include "gem/record/run_file/run_file.h"
 #include "gem/record/run_file/stored_case.h"
+#include "gem/report/run/fixed_record.h"
 #include "gem/report/run/load_run.h"
 #include "gem/report/run/platform_series.h"
 #include "gem/scene/toml/scene_file.h"
@@ -107,20 +108,37 @@ std::vector<LineFinding> line_findings(const RunData& data, std::size_t first) {
   return findings;
 }
 
+[[noreturn]] void refuse_too_short(const std::string& path, std::size_t least, const char* rows, double from_s) {
+  throw Error(ExitCode::usage, shown(path) + ": too short to analyse (fewer than " + std::to_string(least) + " " +
+                                   rows + " after --from " + number_text(from_s) +
+                                   " s) choose an earlier start or a longer run");
+}
+
+/// What a run without a platform has: the forces on `[[fixed]]` bodies.
+AnalysedRun without_platform(const std::string& path, const RunData& data, double from_s) {
+  const std::vector<double>& time = data.on_fixed.time;
+  if (time.empty())
+    throw Error(ExitCode::usage, shown(path) +
+                                     ": nothing to analyse (it has no samples of a platform: the case has none, or " +
+                                     "the run ended before the first; nor has it the forces on [[fixed]] bodies) run "
+                                     "the case with output.contact_forces = true for those; `gem report` shows the "
+                                     "ice");
+  std::vector<Finding> findings = fixed_findings(data.on_fixed, from_s);
+  if (findings.empty()) refuse_too_short(path, 2, "floe frames", from_s);
+  const auto first = std::lower_bound(time.begin(), time.end(), from_s);
+  return {path, data.identity.name, data.identity.state_hash, time.back() - *first, data.verdict, std::move(findings),
+          {}};
+}
+
 }  // namespace
 
 AnalysedRun analysed(const std::string& path, double from_s, bool allow_incomplete) {
   const RunData data = load_run(path, allow_incomplete);
   const std::vector<double>& time = data.platform.time;
-  if (time.empty())
-    throw Error(ExitCode::usage,
-                shown(path) + ": nothing to analyse (it has no samples of a platform: the case has " +
-                    "none, or the run ended before the first) see `gem info`; `gem report` shows the ice");
+  if (time.empty()) return without_platform(path, data, from_s);
   const std::size_t first = sample_from(data, from_s);
   if (time.size() < first + kSamplesForStatistics)
-    throw Error(ExitCode::usage, shown(path) + ": too short to analyse (fewer than " +
-                                     std::to_string(kSamplesForStatistics) + " platform samples after --from " +
-                                     number_text(from_s) + " s) choose an earlier start or a longer run");
+    refuse_too_short(path, kSamplesForStatistics, "platform samples", from_s);
   return {path,
           data.identity.name,
           data.identity.state_hash,

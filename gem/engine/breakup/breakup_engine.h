@@ -21,6 +21,7 @@ class BreakupEngine : public Engine {
   std::string name() const override { return engine_->name(); }
   std::string method() const override { return engine_->method(); }
   std::string device() const override { return engine_->device(); }
+  double asked_residual() const override { return engine_->asked_residual(); }
   void advance(std::int64_t steps, StepLog& log) override;
   /// For a batch, which advances the engine inside by itself: the most time steps that it may make next. `log` will ask
   /// for the forces that look_at() needs.

@@ -28,8 +28,7 @@ struct DeviceRun {
 SceneDef breaking_scene(ContactSolver solver, Iteration iteration = Iteration::gradient) {
   SceneDef scene = test::breaking_scene(5);
   scene.contact.solver = solver;
-  scene.numerics.iteration = iteration;
-  return scene;
+  return test::iterated_by(std::move(scene), iteration);
 }
 
 void expect_same_state(DeviceRun& device, Engine& cpu, const StepLog& log, const StepLog& expected) {

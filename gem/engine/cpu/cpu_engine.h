@@ -22,6 +22,7 @@ class CpuEngine : public Engine {
   CpuEngine(const SceneDef& scene, Bodies bodies, int threads, std::size_t contacts_worth_a_thread);
 
   std::string name() const override { return "cpu"; }
+  double asked_residual() const override { return field_.constants.asked_residual(); }
   void advance(std::int64_t steps, StepLog& log) override;
   std::int64_t step() const override { return step_; }
   const Bodies& bodies() override { return field_.bodies; }

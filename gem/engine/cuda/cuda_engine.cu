@@ -356,6 +356,9 @@ void CudaBatch::restore(std::size_t scene, const EngineState& state) { work_->sc
 std::uint64_t CudaBatch::state_hash(std::size_t scene) {
   return hash_of(step(scene), bodies(scene), broken_lines(scene), dp_state(scene));
 }
+double CudaBatch::asked_residual(std::size_t scene) const {
+  return work_->scene(scene).field().constants.asked_residual();
+}
 LineSet CudaBatch::broken_lines(std::size_t scene) const { return work_->scene(scene).broken_lines(); }
 const DpState* CudaBatch::dp_state(std::size_t scene) const { return work_->scene(scene).dp_state(); }
 bool CudaBatch::has_contact_forces(std::size_t scene) const { return work_->scene(scene).has_contact_forces(); }

@@ -86,6 +86,7 @@ class CudaBatch {
   EngineState save(std::size_t scene);
   void restore(std::size_t scene, const EngineState& state);
   std::uint64_t state_hash(std::size_t scene);
+  double asked_residual(std::size_t scene) const;
   LineSet broken_lines(std::size_t scene) const;
   const DpState* dp_state(std::size_t scene) const;
   /// As those of Engine; known if the case asks for them, or its floes may split. A batch splits no floes by itself.

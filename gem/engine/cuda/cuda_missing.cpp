@@ -32,6 +32,7 @@ Ledger CudaBatch::ledger(std::size_t) { return {}; }
 EngineState CudaBatch::save(std::size_t) { return {}; }
 void CudaBatch::restore(std::size_t, const EngineState&) {}
 std::uint64_t CudaBatch::state_hash(std::size_t) { return 0; }
+double CudaBatch::asked_residual(std::size_t) const { return 0.0; }
 LineSet CudaBatch::broken_lines(std::size_t) const { return 0; }
 const DpState* CudaBatch::dp_state(std::size_t) const { return nullptr; }
 bool CudaBatch::has_contact_forces(std::size_t) const { return false; }

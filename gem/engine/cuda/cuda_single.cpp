@@ -15,6 +15,7 @@ class CudaEngine : public Engine {
 
   std::string name() const override { return "cuda"; }
   std::string device() const override { return batch_.device().name + ", " + batch_.device().driver; }
+  double asked_residual() const override { return batch_.asked_residual(0); }
   void advance(std::int64_t steps, StepLog& log) override {
     std::swap(logs_[0], log);
     try {

@@ -178,14 +178,6 @@ TEST_P(DevicePieces, OfAListTooSmallGrowItAndLoseNothing) {
   }
 }
 
-/// Whether a floe presses on two pieces.
-bool has_floe_on_two_pieces(const std::vector<ContactForce>& forces) {
-  for (const ContactForce& one : forces)
-    for (const ContactForce& other : forces)
-      if (one.b == other.b && one.a < other.a && other.a < 3) return true;
-  return false;
-}
-
 /// Points of a floe with two pieces have one block of the matrix: in small islands, and in large ones by one block of
 /// threads or three.
 TEST(DevicePiecesOfIslands, AFloeBetweenTwoPiecesHasTheBitsOfTheCpuEngine) {
@@ -197,7 +189,7 @@ TEST(DevicePiecesOfIslands, AFloeBetweenTwoPiecesHasTheBitsOfTheCpuEngine) {
     int on_two_pieces = 0;
     for (int step = 0; step < 40 && !HasFailure(); ++step) {
       both.advance(1);
-      on_two_pieces += has_floe_on_two_pieces(both.cpu->contact_forces());
+      on_two_pieces += test::has_floe_on_two_pieces(both.cpu->contact_forces());
     }
     EXPECT_GT(on_two_pieces, 5);
   }

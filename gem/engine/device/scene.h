@@ -167,8 +167,8 @@ struct DeviceScene {
   std::uint32_t* near_non_floe = nullptr;  // for each non-floe: a bit for each body near it
   ListCounters* counters = nullptr;
 
-  PlatformTerm* term =
-      nullptr;  // two for each entry of the rows of the platform; used where shared memory is too small
+  // two for each entry of the rows of the platform; used where shared memory is too small
+  PlatformTerm* term = nullptr;
   PlatformEventRecord* row_event = nullptr;  // one for each entry of the rows of the platform
   std::int64_t* row_event_step = nullptr;
   PlatformStep* sample = nullptr;         // ring

@@ -22,6 +22,7 @@ class ReferenceEngine : public Engine {
   ReferenceEngine(const SceneDef& scene, Bodies bodies);
 
   std::string name() const override { return "reference"; }
+  double asked_residual() const override { return rules_.asked_residual; }
   /// Also throws Error(numerical_stop) if it finds no solution for the contacts of a time step.
   void advance(std::int64_t steps, StepLog& log) override;
   std::int64_t step() const override { return state_.steps; }

@@ -27,6 +27,7 @@ Rules rules_of(const SceneDef& scene, const Bodies& bodies) {
   rules.dt = scene.numerics.time_step_s;
   rules.drives = drive_schedule(scene);
   const double reach = scene.numerics.contact_reach, fastest = fastest_of(scene);
+  if (rules.coupled()) rules.asked_residual = scene.numerics.residual_tolerance * fastest;
   if (rules.coupled() && scene.contact.manifold == Manifold::chord_ends)
     rules.contact_margin = reach * fastest * rules.dt;
   rules.repair_reach = std::max((reach - 1.0) * fastest, scene.numerics.repair_speed_m_per_s) * rules.dt;

@@ -13,8 +13,9 @@ namespace gem::reference {
 /// Constants derived once from the scene.
 struct Rules {
   SceneDef scene;
-  double dt = 0.0;                  // [s]
-  double contact_margin = 0.0;      // coupled: faces closer than this form a contact [m]
+  double dt = 0.0;              // [s]
+  double contact_margin = 0.0;  // coupled: faces closer than this form a contact [m]
+  double asked_residual = std::numeric_limits<double>::quiet_NaN();  // coupled: by which a run is judged [m/s]
   double repair_reach = 0.0;        // coupled: largest repair motion of any point of a body in one time step [m]
   Events events;                    // the laws of the scene
   MooringFlow half_mooring;         // over dt / 2

@@ -172,10 +172,10 @@ GEM_HD inline PointGeometry<double> point_geometry(const StepConstants& c, const
 /// gaps. Measured in validation/solver_study.md, "Repair": 1 instead of 0.9 lowers the overlap but opens gaps.
 constexpr double repair_memory = 0.9;
 
-/// Repair that a point starts from [kg m]; `last` is the repair of the last time step. A negligible repair is dropped:
-/// one that shifts the bodies by less than 1e-9 of the largest repair of a time step (chosen by hand). So is one that
-/// would shift them by 1e4 times that repair, more than single precision can carry: where no shift removes all
-/// overlaps, repairs grow from time step to time step (H21).
+/// Repair that a point starts from [kg m]; `last` is the repair of the last time step. A repair is dropped if it
+/// shifts the bodies by less than 1e-9 or by more than 1e4 of the largest shift of a time step (both chosen by hand).
+/// The first is negligible. The second is more than single precision can carry: where no shift removes all overlaps,
+/// repairs grow from time step to time step (H21).
 GEM_HD inline double repair_to_go_on(const StepConstants& c, double last, double nn) {
   constexpr double negligible = 1e-9, too_large = 1e4;
   const double repair = repair_memory * last, largest_shift = c.repair_speed * c.dt;

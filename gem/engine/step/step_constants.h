@@ -33,6 +33,10 @@ struct StepConstants {
   double retire_x = 0.0;          // [m]
   std::int32_t pieces = 1;        // of the platform: bodies 0 to pieces - 1
 
+  /// The residual at which the iterations end [m/s]; NaN: the solver has none.
+  double asked_residual() const {
+    return solver == ContactSolver::coupled ? residual_speed : std::numeric_limits<double>::quiet_NaN();
+  }
   GEM_HD bool is_platform(std::int32_t body) const { return body < pieces; }
   /// The body that takes the impulses of `body` and is in the books: of a piece of the platform, body 0.
   GEM_HD std::int32_t owner_of(std::int32_t body) const { return body < pieces ? 0 : body; }

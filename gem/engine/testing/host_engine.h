@@ -12,6 +12,7 @@ class HostEngine : public Engine {
 
   HostScene& scene() { return scene_; }
   std::string name() const override { return "device"; }
+  double asked_residual() const override { return scene_.asked_residual(); }
   void advance(std::int64_t steps, StepLog& log) override { scene_.advance(steps, log); }
   std::int64_t step() const override { return scene_.status().step; }
   const Bodies& bodies() override { return scene_.bodies(); }

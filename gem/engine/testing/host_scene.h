@@ -133,6 +133,7 @@ class HostScene {
 
   std::vector<CarriedMemory> memory() const { return {scene_.carried, scene_.carried + scene_.status->carried}; }
 
+  double asked_residual() const { return field_.constants.asked_residual(); }
   bool has_contact_forces() const { return sizes_.forces != ForcesWanted::none; }
   const std::vector<ContactForce>& contact_forces() const { return last_forces_; }
   /// Makes the ring of forces as small as it may be, so that calls end early.

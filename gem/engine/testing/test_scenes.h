@@ -12,12 +12,17 @@
 
 namespace gem::test {
 
-/// Sets the iteration "gradient" with its defaults. Every route of a device has it; tests of splitting ask for it.
-inline void use_gradient(SceneDef& scene) {
-  scene.numerics.iteration = Iteration::gradient;
-  scene.numerics.residual_tolerance = default_end(Iteration::gradient).residual_tolerance;
-  scene.numerics.iterations_maximum = default_end(Iteration::gradient).iterations_maximum;
+/// The scene with an iteration and the end that is its default.
+inline SceneDef iterated_by(SceneDef scene, Iteration iteration) {
+  const IterationEnd end = default_end(iteration);
+  scene.numerics.iteration = iteration;
+  scene.numerics.residual_tolerance = end.residual_tolerance;
+  scene.numerics.iterations_maximum = end.iterations_maximum;
+  return scene;
 }
+
+/// Sets the iteration "gradient" with its defaults. Every route of a device has it; tests of splitting ask for it.
+inline void use_gradient(SceneDef& scene) { scene = iterated_by(std::move(scene), Iteration::gradient); }
 
 /// A free platform with damping and drag in a narrowing channel; 150 floes of three thicknesses; friction; a retire
 /// line.
@@ -77,15 +82,6 @@ inline SceneDef pieces_scene(std::uint64_t seed) {
   return scene;
 }
 
-/// The scene with an iteration and the end that is its default.
-inline SceneDef iterated_by(SceneDef scene, Iteration iteration) {
-  const IterationEnd end = default_end(iteration);
-  scene.numerics.iteration = iteration;
-  scene.numerics.residual_tolerance = end.residual_tolerance;
-  scene.numerics.iterations_maximum = end.iterations_maximum;
-  return scene;
-}
-
 /// A column of floes that a current presses into a notch of three pieces, the first of them with a millimetre of room
 /// on each side.
 inline SceneDef column_between_pieces() {
@@ -109,6 +105,14 @@ inline SceneDef column_between_pieces() {
     scene.floe.push_back(floe);
   }
   return scene;
+}
+
+/// Whether a floe presses on two pieces of column_between_pieces(), whose bodies are the first three.
+inline bool has_floe_on_two_pieces(const std::vector<ContactForce>& forces) {
+  for (const ContactForce& one : forces)
+    for (const ContactForce& other : forces)
+      if (one.b == other.b && one.a < other.a && other.a < 3) return true;
+  return false;
 }
 
 /// The busy scene around a ship whose bow is turned out of the ice and steered back; `fixed`: it does not move.

@@ -75,6 +75,32 @@ Csv outlines_csv(const std::vector<Corners>& outlines) {
   return csv;
 }
 
+/// What of an outline lies where `depth` of a point is not negative; `depth` is linear (Sutherland and Hodgman 1974).
+template <class Depth>
+Corners cut(const Corners& outline, Depth depth) {
+  Corners kept;
+  for (std::size_t i = 0; i < outline.size(); ++i) {
+    const Vec2 a = outline[i], b = outline[(i + 1) % outline.size()];
+    const double in_a = depth(a), in_b = depth(b);
+    if (in_a >= 0.0) kept.push_back(a);
+    if ((in_a < 0.0) != (in_b < 0.0)) kept.push_back(a + (in_a / (in_a - in_b)) * (b - a));
+  }
+  return kept;
+}
+
+/// The fixed bodies as far as they are in view: gnuplot draws outlines wrongly that leave it.
+Csv fixed_csv(const RunData& run, const View& view) {
+  std::vector<Corners> seen;
+  for (Corners outline : run.fixed) {
+    outline = cut(outline, [&](Vec2 p) { return p.x - view.x_low; });
+    outline = cut(outline, [&](Vec2 p) { return view.x_high - p.x; });
+    outline = cut(outline, [&](Vec2 p) { return p.y - view.y_low; });
+    outline = cut(outline, [&](Vec2 p) { return view.y_high - p.y; });
+    if (outline.size() > 2) seen.push_back(outline);
+  }
+  return outlines_csv(seen);
+}
+
 /// The outlines of the platform's pieces at a time.
 std::vector<Corners> platform_at(const RunData& run, double time) {
   const auto& times = run.platform.time;
@@ -94,13 +120,14 @@ struct FieldPicture {
   std::string title;
   View view;
   PlotSize size;
-  std::string fixed = "fixed";  // name of the file of the fixed bodies
-  bool floe_edges = false;      // thin white lines between floes, only if a floe is many pixels wide
+  bool floe_edges = false;  // thin white lines between floes, only if a floe is many pixels wide
 };
 
 Figure draw_field(const RunData& run, const FloeFrame& frame, const FieldPicture& picture, double top_speed,
                   const PlotFolder& folder) {
   folder.write_csv(picture.name, floes_csv(run, frame, picture.view));
+  const std::string fixed_name = picture.name + "_fixed";
+  folder.write_csv(fixed_name, fixed_csv(run, picture.view));
   const std::string platform_name = picture.name + "_platform";
   folder.write_csv(platform_name, outlines_csv(platform_at(run, frame.time)));
   std::ostringstream commands;
@@ -113,8 +140,7 @@ Figure draw_field(const RunData& run, const FloeFrame& frame, const FieldPicture
       << "]\nset cbrange [0:" << rounded_text(top_speed, 3) << "]\n"
       << "set cblabel 'speed [m/s]' offset -0.5,0\nset colorbox noborder\n"
       << "set object 1 rectangle from graph 0,0 to graph 1,1 behind fillcolor rgb '#eef2f5' fillstyle solid noborder\n"
-      << "plot " << quoted(picture.fixed + ".csv")
-      << " using 1:2 with filledcurves closed fillcolor rgb '#b9bec6', \\\n"
+      << "plot " << quoted(fixed_name + ".csv") << " using 1:2 with filledcurves closed fillcolor rgb '#b9bec6', \\\n"
       << "  " << quoted(picture.name + ".csv") << " using 1:2:3 with filledcurves closed fillcolor palette, \\\n";
   if (picture.floe_edges)
     commands << "  " << quoted(picture.name + ".csv") << " using 1:2 with lines lc rgb '#ffffff' lw 0.8, \\\n";
@@ -133,7 +159,7 @@ View close_view(const RunData& run) {
   double reach = 30.0;
   for (const Vec2 p : run.platform_outline) reach = std::max(reach, 3.0 * length(p));
   // A platform is looked at from its rest, a ship in transit where it is.
-  Vec2 centre;
+  Vec2 centre = run.rest;
   const auto& times = run.platform.time;
   if (run.transit.present && !times.empty() && run.frames.size() > 1) {
     const auto next = std::lower_bound(times.begin(), times.end(), run.frames[1].time);
@@ -146,11 +172,8 @@ View close_view(const RunData& run) {
 }  // namespace
 
 Figure field_figure(const RunData& run, const std::string& name, const std::string& title, const PlotFolder& folder) {
-  const std::string fixed = name + "_fixed";
-  folder.write_csv(fixed, outlines_csv(run.fixed));
   const View whole = channel_view(run);
-  return draw_field(run, run.frames[1], {name, title, whole, channel_size(whole), fixed, false}, speed_scale(run),
-                    folder);
+  return draw_field(run, run.frames[1], {name, title, whole, channel_size(whole)}, speed_scale(run), folder);
 }
 
 Figure small_field_figure(const RunData& run, const std::string& name, const std::string& title,
@@ -158,7 +181,7 @@ Figure small_field_figure(const RunData& run, const std::string& name, const std
   const View view = close_view(run);
   const FloeFrame& frame = run.frames[1];
   folder.write_csv(name, floes_csv(run, frame, view));
-  folder.write_csv(name + "_fixed", outlines_csv(run.fixed));
+  folder.write_csv(name + "_fixed", fixed_csv(run, view));
   folder.write_csv(name + "_platform", outlines_csv(platform_at(run, frame.time)));
   std::ostringstream commands;
   commands << "set size ratio -1\nunset border\nunset tics\nunset grid\nunset colorbox\nset margins 0, 0, 0, 0\n"
@@ -179,7 +202,6 @@ Figure small_field_figure(const RunData& run, const std::string& name, const std
 
 std::vector<Figure> field_figures(const RunData& run, const PlotFolder& folder) {
   if (run.frames.size() < 3 || run.floe_outlines.empty()) return {};
-  folder.write_csv("fixed", outlines_csv(run.fixed));
   const double top = speed_scale(run);
   const View whole = channel_view(run);
   const char* names[] = {"field_start", run.at_s ? "field_at" : "field_middle", "field_end"};
@@ -188,14 +210,13 @@ std::vector<Figure> field_figures(const RunData& run, const PlotFolder& folder) 
   std::vector<Figure> figures;
   for (std::size_t i = 0; i < 3; ++i) {
     const std::string title = "The field " + when[i];
-    figures.push_back(
-        draw_field(run, run.frames[i], {names[i], title, whole, channel_size(whole), "fixed", false}, top, folder));
+    figures.push_back(draw_field(run, run.frames[i], {names[i], title, whole, channel_size(whole)}, top, folder));
     figures.back().caption = title + ", to scale; floes coloured by speed, platform orange, fixed bodies grey.";
   }
   if (run.platform_outline.empty()) return figures;
-  figures.push_back(draw_field(
-      run, run.frames[1], {"field_platform", "Ice around the platform", close_view(run), {1000, 760}, "fixed", true},
-      top, folder));
+  figures.push_back(draw_field(run, run.frames[1],
+                               {"field_platform", "Ice around the platform", close_view(run), {1000, 760}, true}, top,
+                               folder));
   figures.back().caption = "Ice around the platform " + chosen + ", on the same colour scale.";
   return figures;
 }

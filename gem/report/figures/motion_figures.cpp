@@ -114,21 +114,22 @@ Figure draw_spectra(const RunData& run, const RunFindings& findings, const PlotF
   }
   commands << "plot 'spectrum.csv' using 1:2 with lines linestyle 1 title 'x', '' using 1:3 with lines linestyle 2 "
               "title 'y'\n";
-  return folder.draw({"spectrum", "Power spectra of x and y",
-                      "Power spectra of x and y (multitaper, NW = 2.5, four tapers; two features closer than " +
-                          rounded_text(2e3 * x.half_bandwidth, 2) +
-                          " mHz are one). The dashed line is the natural period, 2&pi;&radic;(M/k).",
-                      ""},
-                     {1000, 380}, commands.str());
+  return folder.draw(
+      {"spectrum", "Power spectra of x and y",
+       "Power spectra of x and y (multitaper, NW = 2.5, four tapers; two features closer than " +
+           rounded_text(2e3 * x.half_bandwidth, 2) + " mHz are one)." +
+           (run.natural_period_s > 0.0 ? " The dashed line is the natural period along x, 2&pi;&radic;(M/k)." : ""),
+       ""},
+      {1000, 380}, commands.str());
 }
 
 }  // namespace
 
 std::vector<Figure> motion_figures(const RunData& run, const RunFindings& findings, const PlotFolder& folder) {
-  if (run.platform.time.size() < kSamplesForStatistics) return {};
+  if (run.platform.time.size() < kSamplesForStatistics || findings.radial_excursion < kLeastMotion) return {};
   const Unit length = length_unit(findings.radial_excursion);
-  const AxisCurve along{"motion_x", "x", "along the current", 1};
-  const AxisCurve across{"motion_y", "y", "across the current", 2};
+  const AxisCurve along{"motion_x", "x", "along x", 1};
+  const AxisCurve across{"motion_y", "y", "along y", 2};
   std::vector<Figure> figures = {draw_axis(run, along, run.platform.x, run.rest.x, length, folder),
                                  draw_axis(run, across, run.platform.y, run.rest.y, length, folder)};
   if (run.transit.present) return figures;  // a ship on its way does not swing

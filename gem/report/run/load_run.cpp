@@ -203,6 +203,7 @@ RunData load_run(const std::string& run_file, bool allow_incomplete, std::option
   run.force_window_s = scene.output.force_window_s;
   run.rest = scene.platform.anchor_m;
   run.natural_period_s = natural_period(scene);
+  run.natural_period_y_s = natural_period(scene, {0.0, 1.0});
   run.is_held = is_held(scene);
   run.dragged_by = drag_text(scene);
   run.platform = platform_record(file);

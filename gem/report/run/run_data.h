@@ -76,12 +76,13 @@ struct RunData {
   RunIdentity identity;
   RunVerdict verdict;             // without judgements: not judged
   double duration_s = 0.0;        // simulated
-  double natural_period_s = 0.0;  // 2 pi sqrt(M / k); 0 without mooring
-  double current_speed = 0.0;     // [m/s]
-  double force_window_s = 0.0;    // of ice_force_mean
-  Vec2 rest;                      // rest position of the mooring [m]
-  bool is_held = true;            // a mooring, thrusters or a tow can pull the platform
-  std::string dragged_by = {};    // "water drag", "wind" or "water drag and wind" on the platform; empty: neither
+  double natural_period_s = 0.0;  // along x: 2 pi sqrt(M / k); 0 without mooring
+  double natural_period_y_s = 0.0;
+  double current_speed = 0.0;   // [m/s]
+  double force_window_s = 0.0;  // of ice_force_mean
+  Vec2 rest;                    // rest position of the mooring [m]
+  bool is_held = true;          // a mooring, thrusters or a tow can pull the platform
+  std::string dragged_by = {};  // "water drag", "wind" or "water drag and wind" on the platform; empty: neither
   PlatformRecord platform;
   EventColumns events;
   StatsRecord stats;

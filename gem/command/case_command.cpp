@@ -47,6 +47,9 @@ std::string mooring_text(const SceneDef& scene) {
   const auto along = [](double period) { return period > 0.0 ? number_text(period, 4) + " s" : std::string("none"); };
   if (x > 0.0 && number_text(x, 4) == number_text(y, 4)) return "natural period " + along(x);
   if (x > 0.0 || y > 0.0) return "natural period " + along(x) + " along x, " + along(y) + " along y";
+  if (in_transit(scene.transit)) return "in transit";
+  if (const std::size_t thrusters = scene.dp.thruster.size())
+    return "held by " + std::to_string(thrusters) + " thrusters";
   return scene.mooring.law == MooringLaw::linear ? "not moored" : "moored, slack at rest";
 }
 

@@ -336,7 +336,7 @@ std::string fixed_html(const RunData& run) {
   };
   for (std::size_t k = 0; k < run.on_fixed.force.size(); ++k)
     add("fixed body " + std::to_string(k), "fixed_" + std::to_string(k));
-  add("all together", "fixed_all");
+  add("all [[fixed]] together", "fixed_all");
   return table("Force of the ice on fixed bodies", rows);
 }
 

@@ -108,6 +108,18 @@ def report_blocks(example):
     return {"report": ["| load | value |", "|---|---|", *(f"| {name} | {text} |" for name, text in cells)], "answer": words}
 
 
+def sweep_block(example):
+    """The first runs of the sweep, without their wall time."""
+    listed = example.call("sweep", "list", "first_seeds.toml")[1].rstrip().splitlines()
+    status = example.call("sweep", "status", "seeds")[1].rstrip().splitlines()
+    begin, end = status[0].index("wall"), status[0].index("verdict")
+    rows = [status[0], *(line[:begin] + "...".ljust(end - begin) + line[end:] for line in status[1:4])]
+    said, done = example.call("sweep", "collect", "seeds", "--out", "seeds.nc.h5")
+    return code("$ gem sweep list cases/first_seeds.toml", *listed[:3], "...", listed[-1],
+                "$ gem sweep run cases/first_seeds.toml --out seeds", "$ gem sweep status seeds", *(row.rstrip() for row in rows), "...",
+                status[-1], "$ gem sweep collect seeds --out seeds.nc.h5", (done or said).rstrip().splitlines()[-1])
+
+
 def seeds_block(example):
     example.call("sweep", "run", "first_seeds.toml", "--out", "seeds", "--engine", "cpu")
     files = sorted(str(path.relative_to(example.folder)) for path in (example.folder / "seeds").glob("300_s*.h5"))
@@ -119,7 +131,7 @@ def seeds_block(example):
              f"{force(value_in(gumbel, name, 3))} to {force(value_in(gumbel, name, 5))}. More seeds narrow it. Extremes need five "
              "runs of one length and one condition; other sets are refused."]
     last = next((k for k, line in enumerate(lines) if line.startswith("spells and gaps")), len(lines))
-    return {"seeds": code("$ gem analyse seeds/300_s*.h5", *shown(lines[:last], OF_SEEDS)), "exposure": words}
+    return {"sweep": sweep_block(example), "seeds": code("$ gem analyse seeds/300_s*.h5", *shown(lines[:last], OF_SEEDS)), "exposure": words}
 
 
 def blocks(example, seeds):

@@ -125,12 +125,16 @@ std::string text_of(const AnalysedRun& run) {
   std::string text = shown(run.path) + ": " + run.name + ", " + short_text(run.duration_s) + " s\n" +
                      verdict_lines(run) + row_text("", {"value", "95 % interval"});
   const bool without_contact = untouched(run.findings);
-  bool some_not_resolved = false;
+  bool some_not_resolved = false, mean_without_interval = false;
   for (const Finding& finding : run.findings) {
     const FindingText words = words_of(finding, without_contact);
     text += row_text(finding.name, {words.value, words.interval});
     some_not_resolved = some_not_resolved || words.not_resolved;
+    mean_without_interval = mean_without_interval || (finding.name == "x_offset_m" && words.interval == "-");
   }
+  if (mean_without_interval && !without_contact)
+    text +=
+        "-: no interval; that of a mean needs a record of 16 natural periods, and a largest value is a single draw\n";
   if (some_not_resolved)
     text +=
         "not resolved: the record has too few cycles or spells for it (a period by spectrum needs 5 cycles and an "

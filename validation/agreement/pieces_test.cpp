@@ -189,7 +189,9 @@ TEST_F(FloeBetweenPiecesOnGpu, HasTheBitsOfTheCpu) {
   StepLog expected;
   std::vector<StepLog> logs(1);
   int on_two_pieces = 0;
-  for (const std::int64_t steps : {1, 9, 30, 60, 300}) {
+  constexpr int single_steps = 40;
+  for (int call = 0; call <= single_steps; ++call) {
+    const std::int64_t steps = call < single_steps ? 1 : 360;
     cpu->advance(steps, expected);
     batch.advance(steps, &logs);
     on_two_pieces += test::has_floe_on_two_pieces(cpu->contact_forces());
@@ -197,7 +199,7 @@ TEST_F(FloeBetweenPiecesOnGpu, HasTheBitsOfTheCpu) {
     test::expect_same_log(logs[0], expected);
   }
   EXPECT_GT(test::contacts_in(expected), 1000);
-  EXPECT_GT(on_two_pieces, 2);
+  EXPECT_GT(on_two_pieces, 5);
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <sys/file.h>
 #include <unistd.h>
 
+#include <charconv>
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
@@ -93,8 +94,14 @@ TEST_F(Report, DrawsTheIceAroundThePlatformWhereItStands) {
   std::string line;
   std::getline(wall, line);
   std::set<std::pair<double, double>> corners;
-  double x = 0.0, y = 0.0;
-  for (char comma = 0; wall >> x >> comma >> y;) corners.insert({x, y});
+  while (std::getline(wall, line) && !line.empty()) {
+    double x = 0.0, y = 0.0;
+    const char* end = line.data() + line.size();
+    const char* comma = std::from_chars(line.data(), end, x).ptr;
+    ASSERT_LT(comma, end);
+    std::from_chars(comma + 1, end, y);
+    corners.insert({x, y});
+  }
   ASSERT_EQ(corners.size(), 4u);
   const double left = 25.0 + 158.0 * 10.0 / 500.0, right = 25.0 + 230.0 * 10.0 / 500.0;
   const std::set<std::pair<double, double>> wanted = {{158.0, left}, {158.0, 40.0}, {230.0, right}, {230.0, 40.0}};

@@ -173,7 +173,7 @@ GEM_HD inline PointGeometry<double> point_geometry(const StepConstants& c, const
 constexpr double repair_memory = 0.9;
 
 /// Repair that a point starts from [kg m]; `last` is the repair of the last time step. A repair is dropped if it
-/// shifts the bodies by less than 1e-9 or by more than 1e4 of the largest shift of a time step (both chosen by hand).
+/// shifts the bodies by less than 1e-9 or more than 1e4 times the largest shift of a time step (both chosen by hand).
 /// The first is negligible. The second is more than single precision can carry: where no shift removes all overlaps,
 /// repairs grow from time step to time step (H21).
 GEM_HD inline double repair_to_go_on(const StepConstants& c, double last, double nn) {

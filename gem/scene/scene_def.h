@@ -111,7 +111,7 @@ struct IterationEnd {
 
 /// The defaults of a case that gives neither. Splitting meets its tolerance; gradient, in a crowd, only its maximum.
 constexpr IterationEnd default_end(Iteration iteration) {
-  return iteration == Iteration::splitting ? IterationEnd{1e-3, 384} : IterationEnd{1e-5, 32};
+  return iteration == Iteration::splitting ? IterationEnd{3e-3, 384} : IterationEnd{1e-5, 32};
 }
 
 struct NumericsDef {

@@ -14,8 +14,8 @@ COST = "wall time per simulated second [s/s]"
 CURVES = (
     ("gem, time step", "gem", r"gem (dt/\d|\d?dt)"),
     ("gem, 2 threads", "gem2", r"gem (dt/\d|\d?dt) 2 threads"),
-    ("gem, tolerance 1e-2", "tolerance", r"gem \d?dt tolerance 1e-2"),
-    ("gem, 32 iterations", "iterations", r"gem \d?dt 32 iterations"),
+    ("gem, tolerance 1e-2, 2 threads", "tolerance", r"gem \d?dt tolerance 1e-2 2 threads"),
+    ("gem, 32 iterations, 2 threads", "iterations", r"gem \d?dt 32 iterations 2 threads"),
     ("gem gradient, time step", "gradient", r"gem gradient (dt/\d|\d?dt)"),
     ("gem gradient, iterations", "gradient iterations", r"gem gradient dt( \d+ iterations)?"),
     ("gem independent, time step", "independent", r"gem independent (dt/\d|dt|2dt)"),

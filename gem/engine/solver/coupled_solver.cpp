@@ -226,7 +226,7 @@ void CoupledSolver::hand_to_islands(const FieldState& f, Contacts contacts, int 
     const std::int32_t of_b = rank_of(layout_.entry_of(contacts[c]->b));
     for (int k = 0; k < contacts[c]->count; ++k) {
       const std::int32_t i = layout_.first_point(c) + k;
-      islands_.set_point(i, {of_a, of_b, &point_[i].geometry, &point_[i].impulse, spare_[i]});
+      islands_.set_point(i, {of_a, of_b, &point_[i].geometry, &point_[i].impulse, spare_[i], k == 0});
     }
   }
   islands_.find();

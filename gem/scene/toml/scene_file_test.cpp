@@ -144,7 +144,7 @@ TEST(SceneFile, TheIterationSetsTheEndOfIterationsThatACaseLeavesOut) {
     return parse_scene("[numerics]\n" + keys, "iteration.toml").numerics;
   };
   EXPECT_EQ(numerics("").iteration, Iteration::splitting);
-  EXPECT_EQ(numerics("").residual_tolerance, 1e-3);
+  EXPECT_EQ(numerics("").residual_tolerance, 3e-3);
   EXPECT_EQ(numerics("").iterations_maximum, 384);
   EXPECT_EQ(numerics("iteration = \"splitting\"").iterations_maximum, 384);
   EXPECT_EQ(numerics("iteration = \"gradient\"").residual_tolerance, 1e-5);

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 
+#include "gem/engine/solver/splitting/island_size.h"
 #include "gem/engine/solver/splitting/round_control.h"
 
 namespace gem {
@@ -94,16 +95,16 @@ struct GradientPlan {
 };
 
 /// `largest_mass` [kg], `largest_inverse_mass` [1/kg] of the bodies. A floe locked among others needs the exact answer
-/// of splitting (H15, R3): a small island with loops has no gradient iterations. Nor has one with a body much heavier
-/// than another: what the light one still asks for says nothing of the momentum of the heavy one (H16).
-GEM_HD inline GradientPlan gradient_plan(std::int32_t bodies, std::int32_t points, float largest_mass,
-                                         float largest_inverse_mass, std::int64_t iterations_maximum) {
+/// of splitting (H15, R3): a small island with many points has no gradient iterations. Nor has one with a body much
+/// heavier than another: what the light one still asks for says nothing of the momentum of the heavy one (H16). In a
+/// jam the light ones are many.
+GEM_HD inline GradientPlan gradient_plan(IslandSize size, float largest_mass, float largest_inverse_mass,
+                                         std::int64_t iterations_maximum) {
   constexpr float largest_mass_ratio = 1000.0F;
-  if (largest_mass * largest_inverse_mass > largest_mass_ratio) return {};
+  const bool heavy = largest_mass * largest_inverse_mass > largest_mass_ratio;
+  if (size.may_lock() || (heavy && !size.is_jam())) return {};
   if (iterations_maximum <= GradientControl::judge_interval) return {};  // it would end before it is judged
-  const bool small = RoundControl::is_small(bodies), loops = RoundControl::has_loops(bodies, points);
-  const bool locked = small && loops, jam = !small && loops;
-  return {!locked, jam};
+  return {true, size.is_jam()};
 }
 
 }  // namespace gem

@@ -24,6 +24,7 @@ struct IslandPoint {
   const PointGeometry<double>* geometry = nullptr;
   PointImpulse<double>* impulse = nullptr;
   SpareFriction spare;
+  bool first_of_contact = true;
 };
 
 struct IslandControl {

@@ -24,17 +24,19 @@ GradientControl::Next judge(GradientControl& course, const GradientAsked& asked)
 TEST(GradientPlan, LocksAndUnevenMassesBelongToSplitting) {
   struct Case {
     const char* what;
-    std::int32_t bodies, points;
+    IslandSize size;
     float heavy, light;
     bool first, joins;
   };
-  for (const Case& c :
-       {Case{"two floes", 2, 2, 1e5F, 1e5F, true, false}, Case{"a small chain", 15, 30, 1e5F, 1e5F, true, false},
-        Case{"a lock of a few floes", 15, 60, 1e5F, 1e5F, false, false},
-        Case{"a long chain", 100, 200, 1e5F, 1e5F, true, false}, Case{"a jam", 100, 300, 1e5F, 1e5F, true, true},
-        Case{"a jam on a ship", 100, 300, 9e7F, 1e5F, true, true},
-        Case{"a jam with a crumb", 100, 300, 2e5F, 1e2F, false, false}}) {
-    const GradientPlan plan = gradient_plan(c.bodies, c.points, c.heavy, 1.0F / c.light, 192);
+  for (const Case& c : {Case{"two floes", {2, 2, 1}, 1e5F, 1e5F, true, false},
+                        Case{"a small chain", {15, 30, 15}, 1e5F, 1e5F, true, false},
+                        Case{"a small chain with a crumb", {15, 30, 15}, 2e5F, 1e2F, false, false},
+                        Case{"a lock of a few floes", {15, 60, 30}, 1e5F, 1e5F, false, false},
+                        Case{"a long chain", {100, 200, 100}, 1e5F, 1e5F, true, false},
+                        Case{"a long chain on a ship", {100, 200, 100}, 2e8F, 1e5F, false, false},
+                        Case{"a jam", {100, 300, 200}, 1e5F, 1e5F, true, true},
+                        Case{"a plug on a ship", {100, 160, 120}, 2e8F, 1e5F, true, true}}) {
+    const GradientPlan plan = gradient_plan(c.size, c.heavy, 1.0F / c.light, 192);
     EXPECT_EQ(plan.first, c.first) << c.what;
     EXPECT_EQ(plan.joins_rounds, c.joins) << c.what;
   }
@@ -75,7 +77,8 @@ TEST(GradientControl, GivesUpWhereAPointStaysFarOff) {
 }
 
 TEST(GradientPlan, HasNoIterationsThatNobodyJudges) {
-  for (const std::int64_t most : {1, 2, 3, 4, 5}) EXPECT_EQ(gradient_plan(3, 4, 1e5F, 1e-5F, most).first, most > 4);
+  for (const std::int64_t most : {1, 2, 3, 4, 5})
+    EXPECT_EQ(gradient_plan({3, 4, 2}, 1e5F, 1e-5F, most).first, most > 4);
 }
 
 TEST(GradientControl, StaysBelowTheMostIterations) {

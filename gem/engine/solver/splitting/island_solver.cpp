@@ -7,6 +7,17 @@
 #include "gem/base/choose.h"
 
 namespace gem {
+namespace {
+
+IslandSize size_of(std::span<const IslandBody> bodies, std::span<const IslandPoint> points) {
+  const auto contacts =
+      std::count_if(points.begin(), points.end(), [](const IslandPoint& p) { return p.first_of_contact; });
+  return {static_cast<std::int32_t>(bodies.size()), static_cast<std::int32_t>(points.size()),
+          static_cast<std::int32_t>(contacts)};
+}
+
+}  // namespace
+
 void IslandSolver::find_pairs(std::span<const IslandPoint> points, std::int32_t bodies) {
   pairs_.clear();
   for (const IslandPoint& p : points)
@@ -224,33 +235,31 @@ bool IslandSolver::ends_by_gradient(std::span<const IslandBody> bodies, std::spa
   return false;
 }
 
-GradientPlan IslandSolver::plan_of(std::span<const IslandBody> bodies, std::span<const IslandPoint> points,
-                                   std::int64_t iterations_maximum) {
+GradientPlan IslandSolver::plan_of(std::span<const IslandBody> bodies, std::int64_t iterations_maximum) const {
   float mass = 0.0F, inverse_mass = 0.0F;
   for (const IslandBody& b : bodies) {
     mass = larger(mass, static_cast<float>(1.0 / b.inverse.mass));
     inverse_mass = larger(inverse_mass, static_cast<float>(b.inverse.mass));
   }
-  return gradient_plan(static_cast<std::int32_t>(bodies.size()), static_cast<std::int32_t>(points.size()), mass,
-                       inverse_mass, iterations_maximum);
+  return gradient_plan(size_, mass, inverse_mass, iterations_maximum);
 }
 
 IslandResult IslandSolver::solve(std::span<const IslandBody> bodies, std::span<const IslandPoint> points,
-                                 const IslandControl& control, IslandCrew& crew) {
+                                 const IslandControl& of_case, IslandCrew& crew) {
   crew_ = &crew;
+  size_ = size_of(bodies, points);
+  IslandControl control = of_case;
+  control.tolerance = size_.tolerance(of_case.tolerance);
   IslandResult result;
   move_by_base(bodies, points);
   result.error = error_of_base(control, bodies, points);
   if (result.error <= control.tolerance) return result;
-  const GradientPlan plan =
-      control.gradient_first ? plan_of(bodies, points, control.iterations_maximum) : GradientPlan{};
+  const GradientPlan plan = control.gradient_first ? plan_of(bodies, control.iterations_maximum) : GradientPlan{};
   if (plan.first && ends_by_gradient(bodies, points, control, plan.joins_rounds, result)) return result;
   order_bodies(bodies, points);
   set_points(bodies, points);
   const RoundKind usual = RoundControl::usual_kind(plan.joins_rounds);
-  const bool chain =
-      RoundControl::is_chain(static_cast<std::int32_t>(bodies.size()), static_cast<std::int32_t>(points.size()));
-  RoundKind kind = RoundControl::first_kind(usual, chain, control.iterations_maximum);
+  RoundKind kind = RoundControl::first_kind(usual, size_.is_chain(), control.iterations_maximum);
   do {
     set_base(control.friction, points);
     iterate_round(kind, control, result);

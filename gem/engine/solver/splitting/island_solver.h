@@ -32,6 +32,7 @@
 #include "gem/engine/solver/splitting/island.h"
 #include "gem/engine/solver/splitting/island_crew.h"
 #include "gem/engine/solver/splitting/island_gradient.h"
+#include "gem/engine/solver/splitting/island_size.h"
 #include "gem/engine/solver/splitting/point_blocks.h"
 #include "gem/engine/solver/splitting/round_control.h"
 
@@ -44,7 +45,7 @@ class IslandSolver {
   /// Solves one island: `points` refer to `bodies` by index. The result depends on nothing else.
   /// `crew`: threads that help; they change no bit.
   IslandResult solve(std::span<const IslandBody> bodies, std::span<const IslandPoint> points,
-                     const IslandControl& control, IslandCrew& crew);
+                     const IslandControl& of_case, IslandCrew& crew);
 
  private:
   void find_pairs(std::span<const IslandPoint> points, std::int32_t bodies);
@@ -56,8 +57,7 @@ class IslandSolver {
   void set_base(PointFriction law, std::span<const IslandPoint> points);
   void keep_best_share(PointFriction law, std::span<const IslandBody> bodies,
                        std::span<const IslandPoint> points) const;
-  static GradientPlan plan_of(std::span<const IslandBody> bodies, std::span<const IslandPoint> points,
-                              std::int64_t iterations_maximum);
+  GradientPlan plan_of(std::span<const IslandBody> bodies, std::int64_t iterations_maximum) const;
   bool ends_by_gradient(std::span<const IslandBody> bodies, std::span<const IslandPoint> points,
                         const IslandControl& control, bool keeps, IslandResult& result);
   void stiffen(const RoundControl& round);
@@ -67,7 +67,8 @@ class IslandSolver {
   void step();
   SplittingDifferences compare(const IslandControl& control);
 
-  IslandCrew* crew_ = nullptr;  // of this island
+  IslandSize size_;  // of this island, as the crew
+  IslandCrew* crew_ = nullptr;
   IslandGradient gradient_;
   Dissection dissection_;
   EliminationTree tree_;

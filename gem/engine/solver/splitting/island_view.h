@@ -6,6 +6,7 @@
 #pragma once
 
 #include "gem/engine/solver/splitting/island_memory.h"
+#include "gem/engine/solver/splitting/island_size.h"
 
 namespace gem {
 
@@ -44,9 +45,11 @@ struct TreePart {
 /// An island under work. Arrays by body, place, node and point begin with the island's part; numbers, slots and records
 /// are the scene's.
 struct IslandView {
-  std::int32_t bodies = 0, points = 0;
+  std::int32_t bodies = 0, points = 0, contacts = 0;
   IslandGraph graph{};
   IslandMemory m;
+
+  GEM_DEVICE IslandSize size() const { return {bodies, points, contacts}; }
 
   GEM_DEVICE const IslandNode& node_at(std::int32_t place) const { return m.node[graph.label[m.order[place]]]; }
 };
@@ -54,7 +57,7 @@ struct IslandView {
 /// What all threads of an island share.
 struct IslandCell {
   std::int32_t taken;  // island that the threads took
-  std::int32_t bodies, points;
+  std::int32_t bodies, points, contacts;
   std::int32_t base, first_point;
   std::int32_t repairs, overflow, raised, not_finite;
   std::uint64_t asked;  // of all points: 32 bits are too few for a cluster of blocks

@@ -31,12 +31,6 @@ class RoundControl {
   static constexpr std::int64_t longest_round = 96, shortest_round = 48;
   static constexpr std::int64_t short_round = 64;
 
-  /// Whether an island is mostly a chain: few loops, many bodies. A contact has up to two points.
-  GEM_HD static bool is_chain(std::int32_t bodies, std::int32_t points) {
-    return !is_small(bodies) && !has_loops(bodies, points);
-  }
-  GEM_HD static bool is_small(std::int32_t bodies) { return bodies < least_chain; }
-  GEM_HD static bool has_loops(std::int32_t bodies, std::int32_t points) { return points > 2 * bodies + bodies / 4; }
   /// What an island goes on with after `first_kind`. `gradient`: whether gradient iterations end its rounds.
   GEM_HD static RoundKind usual_kind(bool gradient) { return gradient ? RoundKind::short_one : RoundKind::full; }
   GEM_HD static RoundKind first_kind(RoundKind usual, bool chain, std::int64_t iterations_maximum) {
@@ -118,10 +112,8 @@ class RoundControl {
   /// errors.
   static constexpr std::int64_t scheduled_iterations = 4 * longest_round;
   static constexpr float steady_stiffness = 2.0F;
-  /// An attempt; the fewest bodies that it is made for.
   static constexpr std::int64_t attempt_iterations = 8;
   static constexpr float attempt_stiffness = 2e5F;
-  static constexpr std::int32_t least_chain = 16;
   /// Motions within a round are good to `single_precision` of themselves. A round ends when its error has fallen by
   /// `round_gain`, which leaves a margin.
   static constexpr double round_gain = 1e-4, single_precision = 1e-6;

@@ -46,8 +46,8 @@ class DeviceIslandGradient : private DeviceIslandPoints<Team> {
     team_.sync();
     GradientPlan plan;
     if (!s_.constants.tight_residual)
-      plan = gradient_plan(v_.bodies, v_.points, from_ordered_bits(cell_.bodies_bits),
-                           from_ordered_bits(cell_.change_bits), s_.constants.iterations_maximum);
+      plan = gradient_plan(v_.size(), from_ordered_bits(cell_.bodies_bits), from_ordered_bits(cell_.change_bits),
+                           s_.constants.iterations_maximum);
     if (team_.rank() == 0) cell_.joins_rounds = plan.joins_rounds;
     team_.sync();  // the numbers are free again
     return plan;
@@ -60,7 +60,7 @@ class DeviceIslandGradient : private DeviceIslandPoints<Team> {
   GEM_DEVICE bool solve(bool keeps, std::int64_t iterations, double& error) {
     const StepConstants& c = s_.constants;
     set();
-    GradientControl course(c.residual_speed, c.iterations_maximum);
+    GradientControl course(this->tolerance(), c.iterations_maximum);
     auto next = GradientControl::Next::iteration;
     for (;;) {
       const float momentum_coefficient = course.begin_iteration();

@@ -25,6 +25,9 @@ class DeviceIslandPoints {
 
   GEM_DEVICE const SolverEntry& entry_of(std::int32_t body) const { return s_.solver_entry[v_.m.member[body]]; }
 
+  /// Of the velocities of the island [m/s].
+  GEM_DEVICE double tolerance() const { return v_.size().tolerance(s_.constants.residual_speed); }
+
   /// Notes the end of an island.
   GEM_DEVICE void note(std::int64_t iterations, double error) {
     if (team_.rank() != 0) return;

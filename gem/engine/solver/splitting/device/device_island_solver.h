@@ -27,21 +27,21 @@ class DeviceIslandSolver : private DeviceIslandPoints<Team> {
     std::int64_t iterations = 0;
     double error = 0.0;
     move_by_base();
-    const bool chain = RoundControl::is_chain(v_.bodies, v_.points);
+    const bool chain = v_.size().is_chain();
     const bool joined = cell_.joins_rounds;
     const RoundKind usual = RoundControl::usual_kind(joined);
     RoundKind kind = RoundControl::first_kind(usual, chain, c.iterations_maximum);
     do {
       begin_round();
       iterate_round(kind, iterations, error);
-      const bool failed = kind == RoundKind::attempt && !(error <= c.residual_speed);
+      const bool failed = kind == RoundKind::attempt && !(error <= tolerance());
       kind = usual;
       if (failed) continue;
       this->template add_to_base<Point>();
-      const bool missed = error > c.residual_speed;
+      const bool missed = error > tolerance();
       if (joined && missed && gradient_.solve(true, iterations, error)) return;
-    } while (RoundControl::goes_on(c.residual_speed, c.iterations_maximum, iterations, error));
-    if (error > c.residual_speed) {
+    } while (RoundControl::goes_on(tolerance(), c.iterations_maximum, iterations, error));
+    if (error > tolerance()) {
       keep_best_share();
       iterations = c.iterations_maximum;  // too few were left for another round
     }
@@ -63,12 +63,12 @@ class DeviceIslandSolver : private DeviceIslandPoints<Team> {
       const PointInertia inertia = inertia_of(g, inverse_mass_of(s_, cell.a), inverse_mass_of(s_, cell.b));
       const float speed = speed_asked_at_base(c.point_friction, g, inertia, s_.points.spare(i), s_.points.impulse(i),
                                               motion_of(cell.a), motion_of(cell.b), per_step);
-      asked += RoundControl::asked(c.residual_speed, speed);
+      asked += RoundControl::asked(tolerance(), speed);
     });
     if (asked > 0) Atomics::add(&cell_.asked, asked);
     team_.sync();
-    const double error = RoundControl::error_of_base(c.residual_speed, cell_.asked);
-    if (!(error <= c.residual_speed)) return false;
+    const double error = RoundControl::error_of_base(tolerance(), cell_.asked);
+    if (!(error <= tolerance())) return false;
     note(0, error);
     return true;
   }
@@ -77,7 +77,7 @@ class DeviceIslandSolver : private DeviceIslandPoints<Team> {
   using Base = DeviceIslandPoints<Team>;
   using Point = SplitPoint<float>;
   using Base::cell_, Base::part_, Base::s_, Base::team_, Base::v_;
-  using Base::entry_of, Base::motion_of, Base::move_by_base, Base::note, Base::raise_to;
+  using Base::entry_of, Base::motion_of, Base::move_by_base, Base::note, Base::raise_to, Base::tolerance;
   using typename Base::Atomics, typename Base::Part;
 
   /// Sets the points at the base; the additions of the bodies are zero.
@@ -103,7 +103,7 @@ class DeviceIslandSolver : private DeviceIslandPoints<Team> {
 
   GEM_DEVICE void iterate_round(RoundKind kind, std::int64_t& iterations, double& error) {
     const StepConstants& c = s_.constants;
-    RoundControl round(kind, c.residual_speed, c.iterations_maximum, iterations);
+    RoundControl round(kind, tolerance(), c.iterations_maximum, iterations);
     stiffen(round);
     push();
     for (;;) {

@@ -130,7 +130,7 @@ class IslandsOnDevice {
       if (part.rank() == 0) {
         cell.bodies = sums.all.part[0];
         cell.base = Group::add(&m_.counters->body_slots, cell.bodies);
-        cell.points = cell.overflow = 0;
+        cell.points = cell.contacts = cell.overflow = 0;
       }
       part.sync();
       std::int32_t at = sums.below.part[0];
@@ -183,14 +183,17 @@ class IslandsOnDevice {
   GEM_DEVICE void gather_points(const Team& team, const TeamMemory& memory, IslandView& view) {
     IslandCell& cell = *memory.cell;
     each_of(team, 0, view.bodies, [&](std::int32_t body) {
-      std::int32_t count = 0;
+      std::int32_t count = 0, contacts = 0;
       each_record(view, body, [&](std::int32_t record, std::int32_t taken, bool as_b) {
         const PointCell& point = s_.taken_point[taken];
         const PointSide& other = as_b ? point.a : point.b;
         m_.neighbour[record] = other.place >= 0 ? m_.index[m_.rank[other.body]] : -1;
-        count += as_b || other.place < 0 ? 1 : 0;
+        if (!as_b && other.place >= 0) return;
+        ++count;
+        contacts += point.slot == 0 ? 1 : 0;
       });
       if (count > 0) Group::add(&cell.points, count);
+      if (contacts > 0) Group::add(&cell.contacts, contacts);
     });
     team.sync();
     const std::int32_t points = cell.points;
@@ -202,6 +205,7 @@ class IslandsOnDevice {
     team.sync();
     if (team.part().rank() == 0) {
       view.points = points;
+      view.contacts = cell.contacts;
       view.m.where += cell.first_point;
       view.m.ends += cell.first_point;
       view.m.point += cell.first_point;

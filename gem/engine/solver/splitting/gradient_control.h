@@ -20,10 +20,11 @@ class GradientControl {
   enum class Next { iteration, done, give_up };
 
   /// `tolerance` of the velocities [m/s]. There are fewer iterations than `iterations_maximum`.
-  GEM_HD GradientControl(double tolerance, std::int64_t iterations_maximum)
-      : tolerance_(tolerance),
-        last_(longest < iterations_maximum - 1 ? longest : iterations_maximum - 1),
-        bound_(first_bound * static_cast<float>(tolerance)) {}
+  GEM_HD GradientControl(double tolerance, std::int64_t iterations_maximum, bool jam)
+      : jam_(jam),
+        tolerance_(tolerance),
+        last_(longest(jam) < iterations_maximum - 1 ? longest(jam) : iterations_maximum - 1),
+        bound_((jam ? 64.0F : 16.0F) * static_cast<float>(tolerance)) {}
 
   GEM_HD std::int64_t iteration() const { return iteration_; }
   /// Estimate of the error after the iterations are done [m/s].
@@ -53,13 +54,13 @@ class GradientControl {
 
   /// Judges an iteration.
   GEM_HD Next after(const GradientAsked& asked) {
-    error_ = RoundControl::error_of_base(tolerance_, margin * asked.sum);
     largest_ = asked.largest;
+    error_ = jam_ ? jam_margin * largest_ : RoundControl::error_of_base(tolerance_, margin * asked.sum);
     if (error_ <= tolerance_) return Next::done;
     if (iteration_ > last_ - judge_interval) return Next::give_up;
     if (iteration_ % bound_interval == 0) {
       if (!(asked.largest <= bound_)) return Next::give_up;
-      bound_ *= fall;
+      bound_ *= jam_ ? 0.6F : 0.25F;
     }
     // what the points ask for has grown: extrapolate from nothing, as IterationControl does
     const bool grown = lowest_ > 0.0F && asked.largest > well_beyond * lowest_;
@@ -75,13 +76,16 @@ class GradientControl {
   /// What points ask for between iterations says less of the error than at rest: in a chain of a hundred floes that
   /// ended without a margin, the force at its end was off by 0.3 % (H1).
   static constexpr std::uint64_t margin = 8;
-  static constexpr std::int64_t longest = 96;
+  /// In a jam a sum over thousands of points would say nothing of one of them: the largest counts, so many times.
+  static constexpr double jam_margin = 2.0;
+  GEM_HD static constexpr std::int64_t longest(bool jam) { return jam ? 256 : 96; }
   static constexpr float well_beyond = 2.0F;
-  /// After so many iterations no point may ask for more than `first_bound` times the tolerance; after as many again,
-  /// for more than `fall` of that, and so on. Where they do, splitting ends sooner.
+  /// After so many iterations no point may ask for more than 16 times the tolerance; after as many again, for more than
+  /// a quarter of that, and so on. Where they do, splitting ends sooner. In a jam, where splitting is dear, for 64
+  /// times and then 0.6 of that.
   static constexpr std::int64_t bound_interval = 16;
-  static constexpr float first_bound = 16.0F, fall = 0.25F;
 
+  bool jam_;
   double tolerance_;
   std::int64_t last_, iteration_ = 0, restarted_ = 0;
   float bound_, lowest_ = 0.0F, largest_ = 0.0F;

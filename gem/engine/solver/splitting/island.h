@@ -33,6 +33,7 @@ struct IslandControl {
   double dt = 0.0;          // [s]
   std::int64_t iterations_maximum = 0;
   bool gradient_first = true;  // not where the tolerance is below the resolution of single precision
+  bool jam = false;            // IslandSize::is_jam(): how gradient iterations end
 };
 
 struct IslandResult {

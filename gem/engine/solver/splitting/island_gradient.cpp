@@ -98,7 +98,7 @@ bool IslandGradient::solve(std::span<const IslandBody> bodies, std::span<const I
                            std::span<const Motion<double>> motion, const IslandControl& control, bool keeps,
                            IslandResult& result) {
   set(bodies, points, motion);
-  GradientControl course(control.tolerance, control.iterations_maximum);
+  GradientControl course(control.tolerance, control.iterations_maximum, control.jam);
   Pace pace{0.0F, static_cast<float>(1.0 / control.dt), course.units()};
   auto next = GradientControl::Next::iteration;
   for (;;) {

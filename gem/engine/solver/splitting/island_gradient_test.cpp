@@ -43,15 +43,23 @@ TEST(GradientPlan, LocksAndUnevenMassesBelongToSplitting) {
 }
 
 TEST(GradientControl, EndsWhenAllPointsTogetherAskForLittle) {
-  GradientControl course(asked_tolerance, 192);
+  GradientControl course(asked_tolerance, 192, false);
   EXPECT_EQ(judge(course, {few + 1, 1e-4F}), GradientControl::Next::iteration);
   EXPECT_GT(course.error(), asked_tolerance);
   EXPECT_EQ(judge(course, {few, 1e-4F}), GradientControl::Next::done);
   EXPECT_LE(course.error(), asked_tolerance);
 }
 
+TEST(GradientControl, EndsAJamWhenNoPointAsksForHalfOfTheTolerance) {
+  const auto largest = static_cast<float>(0.5 * asked_tolerance);
+  GradientControl course(asked_tolerance, 192, true);
+  EXPECT_EQ(judge(course, {1, 1.01F * largest}), GradientControl::Next::iteration);
+  EXPECT_EQ(judge(course, {1000 * few, 0.99F * largest}), GradientControl::Next::done);
+  EXPECT_LE(course.error(), asked_tolerance);
+}
+
 TEST(GradientControl, NeverJudgesTwoIterationsInARow) {
-  GradientControl course(asked_tolerance, 192);
+  GradientControl course(asked_tolerance, 192, false);
   bool last = false;
   for (int k = 0; k < 60; ++k) {
     course.begin_iteration();
@@ -61,15 +69,16 @@ TEST(GradientControl, NeverJudgesTwoIterationsInARow) {
 }
 
 TEST(GradientControl, GivesUpWhereAPointStaysFarOff) {
-  for (const float share : {0.9F, 1.1F}) {
-    GradientControl course(asked_tolerance, 192);
-    auto next = GradientControl::Next::iteration;
-    while (next == GradientControl::Next::iteration && course.iteration() < 16)
-      next = judge(course, {4 * few, share * 16e-3F});
-    EXPECT_EQ(next, share < 1.0F ? GradientControl::Next::iteration : GradientControl::Next::give_up);
-    EXPECT_EQ(course.iteration(), 16);
-  }
-  GradientControl course(asked_tolerance, 192);
+  for (const bool jam : {false, true})
+    for (const float share : {0.9F, 1.1F}) {
+      GradientControl course(asked_tolerance, 192, jam);
+      auto next = GradientControl::Next::iteration;
+      while (next == GradientControl::Next::iteration && course.iteration() < 16)
+        next = judge(course, {4 * few, share * (jam ? 64e-3F : 16e-3F)});
+      EXPECT_EQ(next, share < 1.0F ? GradientControl::Next::iteration : GradientControl::Next::give_up);
+      EXPECT_EQ(course.iteration(), 16);
+    }
+  GradientControl course(asked_tolerance, 192, false);
   auto next = GradientControl::Next::iteration;
   while (next == GradientControl::Next::iteration) next = judge(course, {4 * few, std::nanf("")});
   EXPECT_EQ(next, GradientControl::Next::give_up);
@@ -83,7 +92,7 @@ TEST(GradientPlan, HasNoIterationsThatNobodyJudges) {
 
 TEST(GradientControl, StaysBelowTheMostIterations) {
   for (const std::int64_t most : {5, 8, 48, 96, 192}) {
-    GradientControl course(asked_tolerance, most);
+    GradientControl course(asked_tolerance, most, false);
     auto next = GradientControl::Next::iteration;
     while (next == GradientControl::Next::iteration) next = judge(course, {4 * few, 1e-9F});
     EXPECT_EQ(next, GradientControl::Next::give_up);
@@ -93,7 +102,7 @@ TEST(GradientControl, StaysBelowTheMostIterations) {
 }
 
 TEST(GradientControl, ExtrapolatesFromNothingAfterGrowth) {
-  GradientControl course(asked_tolerance, 192);
+  GradientControl course(asked_tolerance, 192, false);
   judge(course, {4 * few, 1e-3F});
   EXPECT_GT(course.begin_iteration(), 0.0F);
   judge(course, {4 * few, 3e-3F});
@@ -101,7 +110,7 @@ TEST(GradientControl, ExtrapolatesFromNothingAfterGrowth) {
 }
 
 TEST(GradientControl, CountsWhatIsNoNumberAsFarTooMuch) {
-  const float units = GradientControl(asked_tolerance, 192).units();
+  const float units = GradientControl(asked_tolerance, 192, false).units();
   EXPECT_EQ(GradientControl::units_of(0.0F, units), 0);
   EXPECT_EQ(GradientControl::units_of(std::numeric_limits<float>::denorm_min(), units), 1);
   EXPECT_GT(GradientControl::units_of(std::nanf(""), units), static_cast<std::int32_t>(few));

@@ -250,6 +250,7 @@ IslandResult IslandSolver::solve(std::span<const IslandBody> bodies, std::span<c
   size_ = size_of(bodies, points);
   IslandControl control = of_case;
   control.tolerance = size_.tolerance(of_case.tolerance);
+  control.jam = size_.is_jam();
   IslandResult result;
   move_by_base(bodies, points);
   result.error = error_of_base(control, bodies, points);

@@ -58,7 +58,7 @@ TEST(DeviceIslands, GiveTheBitsOfTheCpuEngineInAJam) {
   SceneDef scene = test::busy_scene(7);
   scene.numerics.iteration = Iteration::splitting;
   scene.contact.solver = ContactSolver::coupled;
-  scene.numerics.residual_tolerance = 1e-4;
+  scene.numerics.residual_tolerance = 2e-6;
   scene.numerics.iterations_maximum = 192;
   scene.numerics.time_step_s = 0.2;
   scene.boundary.gap_m = 24.0;

@@ -60,7 +60,7 @@ class DeviceIslandGradient : private DeviceIslandPoints<Team> {
   GEM_DEVICE bool solve(bool keeps, std::int64_t iterations, double& error) {
     const StepConstants& c = s_.constants;
     set();
-    GradientControl course(this->tolerance(), c.iterations_maximum);
+    GradientControl course(this->tolerance(), c.iterations_maximum, v_.size().is_jam());
     auto next = GradientControl::Next::iteration;
     for (;;) {
       const float momentum_coefficient = course.begin_iteration();

@@ -77,7 +77,7 @@ class GradientControl {
   /// ended without a margin, the force at its end was off by 0.3 % (H1).
   static constexpr std::uint64_t margin = 8;
   /// In a jam a sum over thousands of points would say nothing of one of them: the largest counts, so many times.
-  static constexpr double jam_margin = 2.0;
+  static constexpr double jam_margin = 4.0;
   GEM_HD static constexpr std::int64_t longest(bool jam) { return jam ? 256 : 96; }
   static constexpr float well_beyond = 2.0F;
   /// After so many iterations no point may ask for more than 16 times the tolerance; after as many again, for more than

@@ -50,8 +50,8 @@ TEST(GradientControl, EndsWhenAllPointsTogetherAskForLittle) {
   EXPECT_LE(course.error(), asked_tolerance);
 }
 
-TEST(GradientControl, EndsAJamWhenNoPointAsksForHalfOfTheTolerance) {
-  const auto largest = static_cast<float>(0.5 * asked_tolerance);
+TEST(GradientControl, EndsAJamWhenNoPointAsksForAQuarterOfTheTolerance) {
+  const auto largest = static_cast<float>(0.25 * asked_tolerance);
   GradientControl course(asked_tolerance, 192, true);
   EXPECT_EQ(judge(course, {1, 1.01F * largest}), GradientControl::Next::iteration);
   EXPECT_EQ(judge(course, {1000 * few, 0.99F * largest}), GradientControl::Next::done);

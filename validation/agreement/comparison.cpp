@@ -124,7 +124,7 @@ void expect_books(const Ledger& a, const Ledger& b, const Allowed& allowed, bool
   expect_quantity(a.now, b.now, allowed, "total");
 }
 
-/// Without those whose impulse is rounding.
+/// Events, without those whose impulse is only rounding.
 std::vector<ContactEvent> events_of(const StepLog& log, const Allowed& allowed) {
   std::vector<ContactEvent> events = log.events;
   std::erase_if(events, [&](const ContactEvent& e) { return e.impulse_normal <= allowed.impulse(); });

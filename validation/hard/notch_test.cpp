@@ -54,6 +54,7 @@ TEST_P(HardNotch, H21_a_floe_with_room_in_its_notch) {
     if (run.contacts_now() >= 4) ++in_notch;
   });
   EXPECT_GT(in_notch, 4000) << "the floes do not rest on each other and in the notch";
+  // the default tolerance of 25 November 2026, stricter than the present one
   const double tolerance = 1e-3 * length(scene.current.velocity_m_per_s);
   bound("H21.residual", residual, tolerance, "m/s", where());
   // a time step adds what the tolerance allows at each of the four contacts of a floe, and takes back `repair_share`

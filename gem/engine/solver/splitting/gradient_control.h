@@ -78,11 +78,11 @@ class GradientControl {
   static constexpr std::uint64_t margin = 8;
   /// In a jam a sum over thousands of points would say nothing of one of them: the largest counts, so many times.
   static constexpr double jam_margin = 4.0;
-  GEM_HD static constexpr std::int64_t longest(bool jam) { return jam ? 256 : 96; }
+  GEM_HD static constexpr std::int64_t longest(bool jam) { return jam ? 192 : 96; }
   static constexpr float well_beyond = 2.0F;
   /// After so many iterations no point may ask for more than 16 times the tolerance; after as many again, for more than
-  /// a quarter of that, and so on. Where they do, splitting ends sooner. In a jam, where splitting is dear, for 64
-  /// times and then 0.6 of that.
+  /// a quarter of that, and so on. Where they do, splitting ends sooner. In a jam, where splitting is dear, the bound
+  /// begins at 64 times and falls to 0.6 of itself.
   static constexpr std::int64_t bound_interval = 16;
 
   bool jam_;
@@ -100,8 +100,8 @@ struct GradientPlan {
 
 /// `largest_mass` [kg], `largest_inverse_mass` [1/kg] of the bodies. A floe locked among others needs the exact answer
 /// of splitting (H15, R3): a small island with many points has no gradient iterations. Nor has one with a body much
-/// heavier than another: what the light one still asks for says nothing of the momentum of the heavy one (H16). In a
-/// jam the light ones are many.
+/// heavier than another: what the light one still asks for says nothing of the momentum of the heavy one (H16). A jam
+/// has them all the same: splitting would cost it more.
 GEM_HD inline GradientPlan gradient_plan(IslandSize size, float largest_mass, float largest_inverse_mass,
                                          std::int64_t iterations_maximum) {
   constexpr float largest_mass_ratio = 1000.0F;

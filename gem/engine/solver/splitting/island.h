@@ -24,7 +24,7 @@ struct IslandPoint {
   const PointGeometry<double>* geometry = nullptr;
   PointImpulse<double>* impulse = nullptr;
   SpareFriction spare;
-  bool first_of_contact = true;
+  bool first_of_contact;
 };
 
 struct IslandControl {
@@ -32,7 +32,7 @@ struct IslandControl {
   double tolerance = 1e-3;  // of the velocities [m/s]
   double dt = 0.0;          // [s]
   std::int64_t iterations_maximum = 0;
-  bool gradient_first = true;  // not where the tolerance is below the resolution of single precision
+  bool gradient_first = true;  // not where the tolerance of the case is below the resolution of single precision
   bool jam = false;            // IslandSize::is_jam(): how gradient iterations end
 };
 

@@ -78,11 +78,14 @@ TEST(GradientControl, GivesUpWhereAPointStaysFarOff) {
       EXPECT_EQ(next, share < 1.0F ? GradientControl::Next::iteration : GradientControl::Next::give_up);
       EXPECT_EQ(course.iteration(), 16);
     }
-  GradientControl course(asked_tolerance, 192, false);
-  auto next = GradientControl::Next::iteration;
-  while (next == GradientControl::Next::iteration) next = judge(course, {4 * few, std::nanf("")});
-  EXPECT_EQ(next, GradientControl::Next::give_up);
-  EXPECT_EQ(course.iteration(), 16);
+  for (const bool jam : {false, true})
+    for (const float asked : {std::nanf(""), std::numeric_limits<float>::infinity()}) {
+      GradientControl course(asked_tolerance, 192, jam);
+      auto next = GradientControl::Next::iteration;
+      while (next == GradientControl::Next::iteration) next = judge(course, {4 * few, asked});
+      EXPECT_EQ(next, GradientControl::Next::give_up);
+      EXPECT_EQ(course.iteration(), 16);
+    }
 }
 
 TEST(GradientPlan, HasNoIterationsThatNobodyJudges) {
@@ -136,7 +139,7 @@ struct WallRow {
       g.cap = 1e30;
       const double points_right = i + 1 < count ? 2.0 : 1.0, points_left = i > 0 ? 2.0 : 0.0;
       set_compliance(g, (points_right + points_left) / mass, 0.0, 0.0);
-      points.push_back({i == 0 ? IslandPoint::fixed : i - 1, i, &g, &impulse[i], {}});
+      points.push_back({i == 0 ? IslandPoint::fixed : i - 1, i, &g, &impulse[i], {}, true});
     }
   }
   bool solve(bool keeps, IslandResult& result) {

@@ -12,16 +12,16 @@ struct IslandSize {
   std::int32_t bodies = 0, points = 0, contacts = 0;
 
   GEM_HD bool is_small() const { return bodies < fewest_of_a_chain; }
-  /// Hardly more contacts than bodies: few loops. A row at a wall has one contact a body, a plug ahead of a
-  /// platform 1.1 to 1.5, a jam two. Points say less: two bodies that meet with their faces have two.
+  /// Hardly more contacts than bodies: few loops. A row at a wall has one contact a body, a plug ahead of a platform
+  /// 1.1 to 1.5, a field that is pressed together two. Points would mislead: face on face, one contact has two.
   GEM_HD bool is_chain() const { return !is_small() && !has_loops(); }
   GEM_HD bool is_jam() const { return !is_small() && has_loops(); }
   /// Whether a floe may be locked among the others of a small island.
   GEM_HD bool may_lock() const { return is_small() && points > 2 * bodies + bodies / 4; }
 
-  /// Tolerance of the velocities [m/s] from that of the case. Along a chain errors add up, and a few iterations more
-  /// end a small island: both meet a fraction of it. In a jam that fraction would take five times the time, and change
-  /// loads and places less than the time step does (bench/notebook.md, "Plugs are no chains").
+  /// Tolerance of the velocities [m/s] from that of the case. Errors add up along a chain, and a small island is cheap:
+  /// both must meet a thirty-second. In a jam that would cost far more, and change places and loads less than the time
+  /// step does (bench/notebook.md, "Plugs are no chains").
   GEM_HD double tolerance(double of_case) const { return is_jam() ? of_case : of_case / 32.0; }
 
  private:

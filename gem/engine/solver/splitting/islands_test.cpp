@@ -41,7 +41,8 @@ struct Row {
       const auto k = static_cast<std::int32_t>(i);
       set_compliance(geometry[i], divided_inverse(i) + (i > 0 ? divided_inverse(i - 1) : 0.0), 0.0, 0.0);
       islands.set_body(body + k, bodies[i]);
-      islands.set_point(point + k, {k == 0 ? Islands::fixed : body + k - 1, body + k, &geometry[i], &impulse[i], {}});
+      islands.set_point(point + k,
+                        {k == 0 ? Islands::fixed : body + k - 1, body + k, &geometry[i], &impulse[i], {}, true});
     }
   }
 
@@ -222,7 +223,9 @@ struct Block {
     }
   }
 
-  IslandPoint point(std::size_t k) { return {ends[k].first, ends[k].second, &geometry[k], &impulse[k], {}}; }
+  IslandPoint point(std::size_t k) {
+    return {ends[k].first, ends[k].second, &geometry[k], &impulse[k], {}, k % 2 == 0};  // two points a face
+  }
 
   /// Largest speed of a body with the impulses of its points [m/s].
   double fastest() const {
@@ -312,7 +315,8 @@ struct Sheet {
     islands.begin(side * side, static_cast<std::int32_t>(ends.size()), threads);
     for (std::int32_t k = 0; k < side * side; ++k) islands.set_body(k, bodies[k]);
     for (std::size_t k = 0; k < ends.size(); ++k)
-      islands.set_point(static_cast<std::int32_t>(k), {ends[k].first, ends[k].second, &geometry[k], &impulse[k], {}});
+      islands.set_point(static_cast<std::int32_t>(k),
+                        {ends[k].first, ends[k].second, &geometry[k], &impulse[k], {}, true});
     islands.find();
     std::vector<std::thread> helpers;
     for (int rank = 1; rank < threads; ++rank)

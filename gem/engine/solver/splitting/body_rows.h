@@ -22,34 +22,6 @@ GEM_INLINE void load_motions(const std::vector<BodyRow>& rows, const std::int32_
   transpose_halves(motion);
 }
 
-/// Adds the pushes of eight points, given by component, to the half rows of their bodies, in the order of the points.
-template <int half>
-GEM_INLINE void add_pushes(std::vector<BodyRow>& rows, const std::int32_t* place, FloatPack* push) {
-  transpose_halves(push);
-  for (int k = 0; k < float_lanes; ++k) {
-    float* const to = reinterpret_cast<float*>(&rows[place[k]]) + 4 * half;
-    FloatHalf part, sum;
-    __builtin_memcpy(&part, reinterpret_cast<const float*>(&push[k % 4]) + 4 * (k / 4), sizeof part);
-    __builtin_memcpy(&sum, to, sizeof sum);
-    sum += part;
-    __builtin_memcpy(to, &sum, sizeof sum);
-  }
-}
-
-/// Adds what eight points ask of both bodies. The points of a body as B come before its points as A, as in the order of
-/// the points.
-template <int half, class Block>
-GEM_INLINE void push_bodies(const Block& q, const std::int32_t* a, const std::int32_t* b, std::vector<BodyRow>& to,
-                            PointShare<FloatPack> share) {
-  FloatPack push[4];
-  for (int c = 0; c < 3; ++c) push[c] = q.n_b[c] * share.n + q.t_b[c] * share.t;
-  push[3] = FloatPack{};
-  add_pushes<half>(to, b, push);
-  for (int c = 0; c < 3; ++c) push[c] = q.n_a[c] * share.n + q.t_a[c] * share.t;
-  push[3] = FloatPack{};
-  add_pushes<half>(to, a, push);
-}
-
 /// Pushes of eight points along the Jacobian `n`, `t` of a side, as rows of its bodies: eight whole rows, or without
 /// repairs four packs of two half rows.
 template <bool repairs>
@@ -78,6 +50,21 @@ GEM_INLINE void set_push_rows(const FloatPack* n, const FloatPack* t, PointShare
   }
 }
 
+/// Pushes of eight points on both of their bodies. The points of a body as B come before its points as A, as in the
+/// order of the points.
+template <bool repairs>
+struct BlockPushes {
+  PushRows<repairs> b, a;
+};
+
+template <bool repairs, class Block>
+GEM_INLINE BlockPushes<repairs> pushes_of(const Block& q, PointShare<FloatPack> share, PointShare<FloatPack> repair) {
+  BlockPushes<repairs> pushes;
+  set_push_rows<repairs>(q.n_b, q.t_b, share, repair, pushes.b);
+  set_push_rows<repairs>(q.n_a, q.t_a, share, repair, pushes.a);
+  return pushes;
+}
+
 /// Adds pushes to the rows of their bodies, in the order of the points.
 template <bool repairs>
 GEM_INLINE void add_push_rows(std::vector<BodyRow>& to, const std::int32_t* place, const PushRows<repairs>& rows) {
@@ -93,6 +80,20 @@ GEM_INLINE void add_push_rows(std::vector<BodyRow>& to, const std::int32_t* plac
       __builtin_memcpy(at, &sum, sizeof sum);
     }
   }
+}
+
+template <bool repairs>
+GEM_INLINE void add_push_rows(std::vector<BodyRow>& to, const std::int32_t* a, const std::int32_t* b,
+                              const BlockPushes<repairs>& pushes) {
+  add_push_rows<repairs>(to, b, pushes.b);
+  add_push_rows<repairs>(to, a, pushes.a);
+}
+
+/// Adds what eight points ask of both bodies, in velocities and in repairs.
+template <bool repairs, class Block>
+GEM_INLINE void add_pushes(const Block& q, PointShare<FloatPack> share, PointShare<FloatPack> repair,
+                           std::vector<BodyRow>& to) {
+  add_push_rows(to, q.a, q.b, pushes_of<repairs>(q, share, repair));
 }
 
 }  // namespace gem

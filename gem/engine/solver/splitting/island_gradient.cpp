@@ -48,14 +48,13 @@ GEM_INLINE GradientAsked IslandGradient::visit_blocks(const Pace& pace) {
     load_motions<0>(now_, q.a, a);
     load_motions<0>(now_, q.b, b);
     FloatPack asked = visit_gradient<law, judged>(q, a, b, pace.momentum_coefficient);
-    push_bodies<0>(q, q.a, q.b, sum_, {q.ahead_n, q.ahead_t});
     if constexpr (repairs) {
       load_motions<1>(now_, q.a, a);
       load_motions<1>(now_, q.b, b);
       const FloatPack shift = visit_gradient_repair<judged>(q, a, b, pace.momentum_coefficient);
-      push_bodies<1>(q, q.a, q.b, sum_, {q.ahead_r, FloatPack{}});
       if constexpr (judged) asked = larger(asked, pace.per_step * shift);
     }
+    add_pushes<repairs>(q, {q.ahead_n, q.ahead_t}, {q.ahead_r, FloatPack{}}, sum_);
     if constexpr (judged) {
       largest = larger(largest, asked);
       const FloatPack units =

@@ -50,12 +50,14 @@ GEM_INLINE void PointBlocks::push_blocks(const std::vector<BodyRow>& now, std::v
     FloatPack a[4], b[4];
     load_motions<0>(now, q.a, a);
     load_motions<0>(now, q.b, b);
-    push_bodies<0>(q, q.a, q.b, to, push_of(q, a, b));
+    const PointShare<FloatPack> share = push_of(q, a, b);
+    PointShare<FloatPack> repair{};
     if constexpr (repairs) {
       load_motions<1>(now, q.a, a);
       load_motions<1>(now, q.b, b);
-      push_bodies<1>(q, q.a, q.b, to, repair_push_of(q, a, b));
+      repair = repair_push_of(q, a, b);
     }
+    add_pushes<repairs>(q, share, repair, to);
   }
 }
 
@@ -73,15 +75,11 @@ GEM_INLINE void PointBlocks::visit_blocks(const Visit& v) {
       load_motions<1>(v.now, q.b, b);
       repair = visit_repair(q, a, b);
     }
-    BlockPushes<repairs> pushes;
-    set_push_rows<repairs>(q.n_b, q.t_b, share, repair, pushes.b);
-    set_push_rows<repairs>(q.n_a, q.t_a, share, repair, pushes.a);
-    if constexpr (keeps) {
+    const BlockPushes<repairs> pushes = pushes_of<repairs>(q, share, repair);
+    if constexpr (keeps)
       __builtin_memcpy(&kept_[k], &pushes, sizeof pushes);
-    } else {
-      add_push_rows<repairs>(v.sum, q.b, pushes.b);
-      add_push_rows<repairs>(v.sum, q.a, pushes.a);
-    }
+    else
+      add_push_rows(v.sum, q.a, q.b, pushes);
   }
 }
 
@@ -91,8 +89,7 @@ GEM_INLINE void PointBlocks::add_kept_blocks(std::int32_t first, std::vector<Bod
   for (std::size_t k = first; k < block_.size(); ++k) {
     BlockPushes<repairs> pushes;
     __builtin_memcpy(&pushes, &kept_[k], sizeof pushes);
-    add_push_rows<repairs>(sum, block_[k].b, pushes.b);
-    add_push_rows<repairs>(sum, block_[k].a, pushes.a);
+    add_push_rows(sum, block_[k].a, block_[k].b, pushes);
   }
 }
 
@@ -140,12 +137,14 @@ GEM_INLINE void PointBlocks::answer_blocks(const std::vector<BodyRow>& now, std:
     FloatPack a[4], b[4];
     load_motions<0>(now, q.a, a);
     load_motions<0>(now, q.b, b);
-    push_bodies<0>(q, q.a, q.b, to, answer_point<law>(q, a, b));
+    const PointShare<FloatPack> share = answer_point<law>(q, a, b);
+    PointShare<FloatPack> repair{};
     if constexpr (repairs) {
       load_motions<1>(now, q.a, a);
       load_motions<1>(now, q.b, b);
-      push_bodies<1>(q, q.a, q.b, to, answer_repair(q, a, b));
+      repair = answer_repair(q, a, b);
     }
+    add_pushes<repairs>(q, share, repair, to);
   }
 }
 

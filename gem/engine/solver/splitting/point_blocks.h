@@ -56,11 +56,6 @@ class PointBlocks {
   };
   template <bool repairs>
   void push_blocks(const std::vector<BodyRow>& now, std::vector<BodyRow>& sum) const;
-  /// Pushes of a block on its bodies.
-  template <bool repairs>
-  struct BlockPushes {
-    PushRows<repairs> b, a;
-  };
   /// Some blocks, and where their pushes go: to `sum`, or beside the block in kept_ if they are to be added later.
   struct Visit {
     const std::vector<BodyRow>& now;

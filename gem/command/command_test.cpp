@@ -390,7 +390,7 @@ TEST_F(CommandTest, ARunFileIsAFieldForAnotherRun) {
   EXPECT_GT(*std::max_element(contacts.begin(), contacts.end()), 0.0) << "the floes never met";
   EXPECT_EQ(shell("gem case check one.toml --json" + as_file + "\"one.h5\"'"), 0) << text_of("err");
   EXPECT_NE(text_of("out").find("\"floes\": 2"), std::string::npos) << text_of("out");
-  const std::string too_long = "\"one.h5\"' --set numerics.time_step_s=0.1 --set output.floes_interval_s=0.1";
+  const std::string too_long = "\"one.h5\"' --set numerics.time_step_s=0.2 --set output.floes_interval_s=0.2";
   for (const std::string line : {"gem run one.toml -q --out no.h5", "gem case check one.toml"}) {
     EXPECT_EQ(shell(line + as_file + too_long), 3) << line;
     EXPECT_NE(text_of("err").find("numerics.time_step_s: the time step is too long"), std::string::npos)

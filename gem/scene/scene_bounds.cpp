@@ -115,6 +115,18 @@ double closing_speed_bound(const SceneDef& scene) {
   return length(high - low) + fastest_rim + next_rim + platform_speed_bound(scene);
 }
 
+double fastest_point(const SceneDef& scene) {
+  constexpr double slowest_of_interest = 1e-3;  // [m/s]; chosen by hand, the scale of a scene at rest
+  double fastest = std::max(slowest_of_interest, drive_speed(scene));
+  for (const FloeDef& floe : scene.floe) fastest = std::max(fastest, length(floe.velocity_m_per_s) + rim_speed(floe));
+  return std::max(fastest, platform_speed_bound(scene));
+}
+
+double contact_margin(const SceneDef& scene) {
+  if (scene.contact.solver != ContactSolver::coupled || scene.contact.manifold != Manifold::chord_ends) return 0.0;
+  return scene.numerics.contact_reach * fastest_point(scene) * scene.numerics.time_step_s;
+}
+
 double smallest_floe_width(const SceneDef& scene) {
   double smallest = std::numeric_limits<double>::infinity();
   const FloesDef& floes = scene.floes;

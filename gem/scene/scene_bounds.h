@@ -16,6 +16,13 @@ double platform_speed_bound(const SceneDef& scene);
 /// bodies, listed floes with the two largest rim speeds, and the platform's start state.
 double closing_speed_bound(const SceneDef& scene);
 
+/// Largest speed of any point in the initial state or in current and wind [m/s]: the scale of the residual and of the
+/// contact margin.
+double fastest_point(const SceneDef& scene);
+
+/// How far apart faces may be that count as contacts [m]; 0 where contacts are found only once they overlap.
+double contact_margin(const SceneDef& scene);
+
 /// Smallest width of any floe known before the field is made [m]; infinity without floes.
 double smallest_floe_width(const SceneDef& scene);
 

@@ -216,6 +216,8 @@ TEST(Geometry, V51_longest_step) {
     scene.numerics.time_step_s = dt;
     return !check_scene(scene).empty();
   };
+  check("V51.dt_20pct", boundary(0.01, 1.0, refused), rounding);
+  scene.numerics.contact_reach = 0.0;  // contacts are no longer foreseen
   check("V51.dt_10pct", boundary(0.01, 1.0, refused), rounding);
 }
 

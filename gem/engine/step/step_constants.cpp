@@ -9,22 +9,12 @@
 #include "gem/scene/scene_drive.h"
 
 namespace gem {
-
 namespace {
 
 /// Two corners that point at each other are farther apart than the narrow phase measures along the normals of their
 /// faces. So a list of pairs closer than the contact margin would miss contacts, and bits would depend on the list.
 /// This many contact margins more are enough where the two angles at the corners are above 30 degrees together.
 constexpr double corner_distance = 4.0;
-
-/// Largest speed of any point in the initial state or in current and wind [m/s]: the scale of the residual and of the
-/// contact margin.
-double fastest_of(const SceneDef& scene) {
-  constexpr double slowest_of_interest = 1e-3;  // [m/s]; chosen by hand, the scale of a scene at rest
-  double fastest = std::max(slowest_of_interest, drive_speed(scene));
-  for (const FloeDef& floe : scene.floe) fastest = std::max(fastest, length(floe.velocity_m_per_s) + rim_speed(floe));
-  return std::max(fastest, platform_speed_bound(scene));
-}
 
 }  // namespace
 
@@ -52,9 +42,8 @@ StepConstants step_constants(const SceneDef& scene, const Bodies& bodies, const 
   c.solver = scene.contact.solver;
   c.manifold = scene.contact.manifold;
 
-  const bool coupled = c.solver == ContactSolver::coupled;
-  const double fastest = fastest_of(scene);
-  if (coupled && c.manifold == Manifold::chord_ends) c.contact_margin = scene.numerics.contact_reach * fastest * c.dt;
+  const double fastest = fastest_point(scene);
+  c.contact_margin = contact_margin(scene);
   c.residual_speed = scene.numerics.residual_tolerance * fastest;
   c.tight_residual = scene.numerics.residual_tolerance < IterationControl::single_precision;
   c.iterations_maximum = scene.numerics.iterations_maximum;

@@ -97,10 +97,10 @@ TEST(StepConstants, ATimeStepTooLongForASpinIsRefused) {
     return std::any_of(problems.begin(), problems.end(),
                        [](const SceneProblem& p) { return p.key == "numerics.time_step_s"; });
   };
-  // a tenth of 2 m at 3.04 m/s: 0.0658 s
-  EXPECT_TRUE(refused(0.066, 0.5));
-  EXPECT_FALSE(refused(0.065, 0.5));
-  EXPECT_TRUE(refused(0.066, -0.5));
+  // a fifth of 2 m at 3.04 m/s: 0.1316 s
+  EXPECT_TRUE(refused(0.132, 0.5));
+  EXPECT_FALSE(refused(0.131, 0.5));
+  EXPECT_TRUE(refused(0.132, -0.5));
   EXPECT_FALSE(refused(0.2, 0.0));
 }
 

@@ -35,7 +35,7 @@ INSTANTIATE_TEST_SUITE_P(
                              "[water]\ndrag_law = \"linear\"\nturning_rad = 0.4\n",
                              {"water.turning_rad: has no effect"}},
                     BadScene{"time_step_for_a_storm",
-                             "[wind]\nvelocity_m_per_s = [100, 0]\n[numerics]\ntime_step_s = 0.05\n",
+                             "[wind]\nvelocity_m_per_s = [100, 0]\n[numerics]\ntime_step_s = 0.1\n",
                              {"numerics.time_step_s: the time step is too long"}}),
     bad_scene_name);
 

@@ -209,7 +209,7 @@ class DeviceIslandSolver : private DeviceIslandPoints<Team> {
   }
 
   /// Visits all points. `watches`: then counts what persists.
-  GEM_DEVICE void visit(bool watches, float tolerance) {
+  GEM_DEVICE void visit(bool watches, float watch_tolerance) {
     const PointFriction law = s_.constants.point_friction;
     each_push<point_fields::moves>(
         watches,
@@ -218,7 +218,7 @@ class DeviceIslandSolver : private DeviceIslandPoints<Team> {
                                           : law == PointFriction::coulomb
                                               ? visit_point<PointFriction::coulomb>(q, a, b)
                                               : visit_point<PointFriction::fixed_direction>(q, a, b);
-          if (watches) watch_point(q, a, b, tolerance);
+          if (watches) watch_point(q, a, b, watch_tolerance);
           return share;
         },
         [](Point& q, const float* a, const float* b) { return visit_repair(q, a, b); });

@@ -17,8 +17,8 @@ namespace {
 // Share of the smallest floe that two bodies may overlap before their contact is seen, well before the contact normal
 // can flip (an overlap of the width).
 constexpr double overlap_fraction = 0.1;
-// Share of the smallest floe that two bodies may close in a time step, in which contacts keep their normals. Measured up
-// to 0.2 (validation/baseline/speed_against_error.md).
+// Share of the smallest floe that two bodies may close in a time step, in which contacts keep their normals. Measured
+// up to 0.2 (validation/baseline/speed_against_error.md).
 constexpr double path_fraction = 0.2;
 // The mooring force is split around the contact step. The split is accurate while omega dt is small.
 constexpr double mooring_phase_maximum = 0.2;

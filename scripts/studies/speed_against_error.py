@@ -227,9 +227,7 @@ def write_page():
             "gem and Box2D 2.4.1 on the same scenes: what a second of simulated time costs and how wrong it is. Made by",
             "`scripts/studies speed_against_error` from measurements of `scripts/measure.sh`; nothing here is typed.",
             "`gem` is the default: operator splitting, a tolerance of 3e-3 of the current's speed and at most 384 iterations",
-            "(1e-3 and 192 in part A, the default when it was measured). When part B was measured, gradient iterations ended a jam at",
-            "half of the tolerance. Now they end at a quarter: in three windows of the jam places were a third more exact, and plug and",
-            "jam took a tenth to a fifth more time. `gem gradient`",
+            "(1e-3 and 192 in part A, the default when it was measured). `gem gradient`",
             "is `numerics.iteration = \"gradient\"`, 32 iterations, the default until 25 November 2026.", ""]
     for part in (bars, part_a, part_b, part_c, part_paths, part_speed, stated_conditions):
         page += part()

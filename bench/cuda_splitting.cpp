@@ -23,21 +23,22 @@ constexpr Phase regimes[] = {
 struct Setting {
   const char* name;
   Iteration iteration;
-  std::int64_t iterations;
+  std::int64_t iterations;  ///< At most; 0: the default and its tolerance.
   double steps;  ///< Time steps of the case that one takes, dt.
 };
 constexpr Setting settings[] = {{"gradient 32 dt", Iteration::gradient, 32, 1.0},
                                 {"gradient 200 dt", Iteration::gradient, 200, 1.0},
-                                {"splitting 192 dt", Iteration::splitting, 192, 1.0},
-                                {"splitting 96 4dt", Iteration::splitting, 96, 4.0}};
+                                {"splitting dt", Iteration::splitting, 0, 1.0},
+                                {"splitting 4dt", Iteration::splitting, 0, 4.0}};
 
 /// Moves copies of a state on and prints the milliseconds per simulated second of all of them.
 void time_setting(const Phase& phase, SceneDef scene, const Bodies& field, EngineState start, const Setting& setting,
                   std::size_t copies) {
   scene.numerics.iteration = setting.iteration;
-  scene.numerics.iterations_maximum = setting.iterations;
+  const IterationEnd end = default_end(setting.iteration);
+  scene.numerics.iterations_maximum = setting.iterations > 0 ? setting.iterations : end.iterations_maximum;
+  scene.numerics.residual_tolerance = end.residual_tolerance;
   scene.numerics.time_step_s *= setting.steps;
-  if (setting.iteration == Iteration::splitting) scene.numerics.residual_tolerance = 1e-3;
   start.step = steps_in(scene, phase.time);
   CudaBatch batch(std::vector<BatchScene>(copies, {scene, field}), {});
   const std::int64_t steps = steps_in(scene, timed);

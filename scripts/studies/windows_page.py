@@ -28,9 +28,11 @@ CURVES = (
 # What is dropped, from which setting.
 DROPPED = (("friction", "gem gradient dt", "gem gradient without friction"),
            ("elastic stress", "gem independent dt", "gem independent without elastic stress"))
-# Settings of bench/cuda_splitting.cpp and the same on the processor, by the case's own time step. Those of splitting are missing:
-# the default has changed since they were measured.
-CUDA_SETTINGS = {"gradient 32 dt": "gem gradient dt", "gradient 200 dt": "gem gradient dt 200 iterations"}
+# Settings of bench/cuda_splitting.cpp, which are by the case's own time step, and the same on the processor. In the drift that step
+# is half of the one here.
+CROWDED = {"gradient 32 dt": "gem gradient dt", "gradient 200 dt": "gem gradient dt 200 iterations", "splitting dt": "gem dt",
+           "splitting 4dt": "gem 4dt"}
+CUDA_SETTINGS = {"drift": {"gradient 32 dt": "gem gradient dt/2", "splitting 4dt": "gem 2dt"}, "plug": CROWDED, "jam": CROWDED}
 
 
 def cuda_points(regime, points):
@@ -38,7 +40,7 @@ def cuda_points(regime, points):
     found = {}
     with open(ROOT / "bench" / "results" / "splitting" / "cuda.csv", newline="", encoding="utf-8") as file:
         for row in csv.DictReader(file):
-            source = CUDA_SETTINGS.get(row["setting"])
+            source = CUDA_SETTINGS[regime].get(row["setting"])
             if row["phase"] == regime and source in points:
                 copies = int(row["scenes"])
                 name = f"CUDA {source.removeprefix('gem ')}, {f'{copies} copies, ' if copies > 1 else ''}{row['device'].split(' 80GB')[0]}"

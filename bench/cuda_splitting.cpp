@@ -24,7 +24,7 @@ struct Setting {
   const char* name;
   Iteration iteration;
   std::int64_t iterations;  ///< At most; 0: the default and its tolerance.
-  double steps;  ///< Time steps of the case that one takes, dt.
+  double steps;             ///< Time steps of the case that one takes, dt.
 };
 constexpr Setting settings[] = {{"gradient 32 dt", Iteration::gradient, 32, 1.0},
                                 {"gradient 200 dt", Iteration::gradient, 200, 1.0},

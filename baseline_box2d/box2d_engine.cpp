@@ -15,6 +15,8 @@
 #include "gem/base/number_text.h"
 #include "gem/engine/step/books.h"
 #include "gem/engine/step/solo_stages.h"
+#include "gem/scene/checks/limit_text.h"
+#include "gem/scene/scene_bounds.h"
 #include "gem/scene/scene_drive.h"
 
 namespace gem::baseline {
@@ -25,11 +27,24 @@ double work_on(const Bodies& b, std::size_t i, Vec2 velocity, double spin) {
          0.5 * b.inertia[i] * (spin - b.spin[i]) * (spin + b.spin[i]);
 }
 
+/// Box2D sees a contact once the skins overlap, gem's solver before that; so the longest time step is shorter here.
+void check_time_step(const SceneDef& scene) {
+  const double width = smallest_floe_width(scene), speed = closing_speed_bound(scene);
+  const double longest = 0.1 * width / speed;
+  if (scene.numerics.time_step_s <= longest) return;
+  throw Error(ExitCode::scene_rejected, "numerics.time_step_s: the time step is too long for box2d (value " +
+                                            number_text(scene.numerics.time_step_s, 9) + ", allowed at most " +
+                                            limit_text(longest) + " s: bodies closing at " + number_text(speed, 4) +
+                                            " m/s would overlap by more than a tenth of " + number_text(width, 4) +
+                                            " m before it sees their contact) give a smaller time step");
+}
+
 }  // namespace
 
 Box2dEngine::Box2dEngine(const SceneDef& scene, Bodies bodies, const Box2dOptions& options)
     : options_(options), touches_(field_, options_) {
   check_one_piece(bodies, "box2d");
+  check_time_step(scene);
   mooring_ = mooring_tables(scene.mooring.law, scene.mooring_design);
   dp_ = dp_law_of(scene, bodies);
   const StepConstants constants = step_constants(scene, bodies, mooring_.view(), &dp_);

@@ -67,6 +67,17 @@ TEST(Box2dEngine, BadOptionsAreRefused) {
   }
 }
 
+TEST(Box2dEngine, RefusesATimeStepInWhichBodiesOverlapUnseen) {
+  SceneDef scene = still_scene();
+  scene.floe = {square(2.0, {}, {0.5, 0.0}), square(2.0, {4.0, 0.0}, {-0.5, 0.0})};
+  const Bodies field = make_field(scene);
+  scene.numerics.time_step_s = 0.2;
+  EXPECT_NO_THROW(make_engine(scene, field, on("box2d")));
+  scene.numerics.time_step_s = 0.21;
+  EXPECT_NO_THROW(make_engine(scene, field, on("cpu")));
+  EXPECT_THROW(make_engine(scene, field, on("box2d")), Error);
+}
+
 TEST(Box2dEngine, V04_flatOnAWall) {
   SceneDef scene = still_scene();
   scene.fixed = {{{{-64.0, -16.0}, {64.0, -16.0}, {64.0, 0.0}, {-64.0, 0.0}}}};

@@ -23,7 +23,7 @@ constexpr Phase regimes[] = {
 struct Setting {
   const char* name;
   Iteration iteration;
-  std::int64_t iterations;  ///< At most; 0: the default and its tolerance.
+  std::int64_t iterations;  ///< At most; 0: the default.
   double steps;             ///< Time steps of the case that one takes, dt.
 };
 constexpr Setting settings[] = {{"gradient 32 dt", Iteration::gradient, 32, 1.0},

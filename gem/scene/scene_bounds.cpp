@@ -122,9 +122,9 @@ double fastest_point(const SceneDef& scene) {
   return std::max(fastest, platform_speed_bound(scene));
 }
 
-double contact_margin(const SceneDef& scene) {
+double speed_foreseen(const SceneDef& scene) {
   if (scene.contact.solver != ContactSolver::coupled || scene.contact.manifold != Manifold::chord_ends) return 0.0;
-  return scene.numerics.contact_reach * fastest_point(scene) * scene.numerics.time_step_s;
+  return scene.numerics.contact_reach * fastest_point(scene);
 }
 
 double smallest_floe_width(const SceneDef& scene) {

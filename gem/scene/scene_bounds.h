@@ -20,8 +20,9 @@ double closing_speed_bound(const SceneDef& scene);
 /// contact margin.
 double fastest_point(const SceneDef& scene);
 
-/// How far apart faces may be that count as contacts [m]; 0 where contacts are found only once they overlap.
-double contact_margin(const SceneDef& scene);
+/// Speed at which faces may close in one time step and count as contacts before they touch [m/s]; 0 where contacts are
+/// found only once they overlap.
+double speed_foreseen(const SceneDef& scene);
 
 /// Smallest width of any floe known before the field is made [m]; infinity without floes.
 double smallest_floe_width(const SceneDef& scene);

@@ -141,7 +141,7 @@ def iterations_table():
              "|" + "---|" * 7]
     for setting in dict.fromkeys(r["setting"] for r in rows):
         table.append(f"| {setting} | " + " | ".join(cell[setting, phase, scenes] for phase, scenes in columns) + " |")
-    return table + ["", f"{rows[0]['device']}, commit {rows[0]['commit'][:7]}."]
+    return table + ["", f"{rows[0]['device']}, commit {rows[0]['commit'][:7]}{'-dirty' if 'dirty' in rows[0]['commit'] else ''}."]
 
 
 def results_table():

@@ -43,7 +43,7 @@ StepConstants step_constants(const SceneDef& scene, const Bodies& bodies, const 
   c.manifold = scene.contact.manifold;
 
   const double fastest = fastest_point(scene);
-  c.contact_margin = contact_margin(scene);
+  c.contact_margin = speed_foreseen(scene) * c.dt;
   c.residual_speed = scene.numerics.residual_tolerance * fastest;
   c.tight_residual = scene.numerics.residual_tolerance < IterationControl::single_precision;
   c.iterations_maximum = scene.numerics.iterations_maximum;

@@ -82,9 +82,10 @@ GEM_INLINE void add_push_rows(std::vector<BodyRow>& to, const std::int32_t* plac
   }
 }
 
+/// Adds the pushes of eight points to the rows of both of their bodies.
 template <bool repairs>
-GEM_INLINE void add_push_rows(std::vector<BodyRow>& to, const std::int32_t* a, const std::int32_t* b,
-                              const BlockPushes<repairs>& pushes) {
+GEM_INLINE void add_block_pushes(std::vector<BodyRow>& to, const std::int32_t* a, const std::int32_t* b,
+                                 const BlockPushes<repairs>& pushes) {
   add_push_rows<repairs>(to, b, pushes.b);
   add_push_rows<repairs>(to, a, pushes.a);
 }
@@ -93,7 +94,7 @@ GEM_INLINE void add_push_rows(std::vector<BodyRow>& to, const std::int32_t* a, c
 template <bool repairs, class Block>
 GEM_INLINE void add_pushes(const Block& q, PointShare<FloatPack> share, PointShare<FloatPack> repair,
                            std::vector<BodyRow>& to) {
-  add_push_rows(to, q.a, q.b, pushes_of<repairs>(q, share, repair));
+  add_block_pushes(to, q.a, q.b, pushes_of<repairs>(q, share, repair));
 }
 
 }  // namespace gem

@@ -24,7 +24,7 @@ class GradientControl {
       : jam_(jam),
         tolerance_(tolerance),
         last_(longest(jam) < iterations_maximum - 1 ? longest(jam) : iterations_maximum - 1),
-        bound_(16.0F * static_cast<float>(tolerance)) {}
+        bound_((jam ? 1e6F : 16.0F) * static_cast<float>(tolerance)) {}
 
   GEM_HD std::int64_t iteration() const { return iteration_; }
   /// Estimate of the error after the iterations are done [m/s].
@@ -58,9 +58,9 @@ class GradientControl {
     error_ = jam_ ? jam_margin * largest_ : RoundControl::error_of_base(tolerance_, margin * asked.sum);
     if (error_ <= tolerance_) return Next::done;
     if (iteration_ > last_ - judge_interval) return Next::give_up;
-    if (!jam_ && iteration_ % bound_interval == 0) {
+    if (iteration_ % bound_interval == 0) {
       if (!(asked.largest <= bound_)) return Next::give_up;
-      bound_ *= 0.25F;
+      if (!jam_) bound_ *= 0.25F;
     }
     // what the points ask for has grown: extrapolate from nothing, as IterationControl does
     const bool grown = lowest_ > 0.0F && asked.largest > well_beyond * lowest_;
@@ -81,7 +81,8 @@ class GradientControl {
   GEM_HD static constexpr std::int64_t longest(bool jam) { return jam ? 300 : 96; }
   static constexpr float well_beyond = 2.0F;
   /// After so many iterations no point may ask for more than 16 times the tolerance; after as many again, for more than
-  /// a quarter of that, and so on. Where they do, splitting ends sooner. A jam, where splitting is dear, has no bound.
+  /// a quarter of that, and so on. Where they do, splitting ends sooner. In a jam, where splitting is dear, the bound
+  /// is there for what is no number and for iterations that run away.
   static constexpr std::int64_t bound_interval = 16;
 
   bool jam_;

@@ -79,7 +79,7 @@ GEM_INLINE void PointBlocks::visit_blocks(const Visit& v) {
     if constexpr (keeps)
       __builtin_memcpy(&kept_[k], &pushes, sizeof pushes);
     else
-      add_push_rows(v.sum, q.a, q.b, pushes);
+      add_block_pushes(v.sum, q.a, q.b, pushes);
   }
 }
 
@@ -89,7 +89,7 @@ GEM_INLINE void PointBlocks::add_kept_blocks(std::int32_t first, std::vector<Bod
   for (std::size_t k = first; k < block_.size(); ++k) {
     BlockPushes<repairs> pushes;
     __builtin_memcpy(&pushes, &kept_[k], sizeof pushes);
-    add_push_rows(sum, block_[k].a, block_[k].b, pushes);
+    add_block_pushes(sum, block_[k].a, block_[k].b, pushes);
   }
 }
 

@@ -162,7 +162,7 @@ TEST(Consequences, SeamsBetweenFixturesAreFeltOnceOnly) {
 TEST(Consequences, NoBodyGoesFartherThanTwoMetresInAStep) {
   SceneDef scene = bare_scene();
   scene.numerics.time_step_s = 10.0;
-  scene.floe = {square({}, {0.25, 0.0})};
+  scene.floe = {square({}, {0.25, 0.0}, 30.0)};
   const auto engine = box2d(scene);
   StepLog log;
   engine->advance(1, log);

@@ -98,11 +98,12 @@ def provenance(part, rows=()):
     return wrapped("Measured by " + "; by ".join(texts) + ".") if texts else "Not measured."
 
 
-def stamp(*parts):
-    """Commit and conditions of the measurements of these parts, for a figure; the newest first."""
-    texts = []
+def stamp(*parts, rows=()):
+    """Commit and conditions of the measurements of these parts, for a figure; the newest first. With `rows` only those that made
+    them."""
+    texts, commits = [], {row["commit"] for row in rows}
     for run in reversed(conditions()[1]):
-        if not set(parts) & set(run["parts"]):
+        if not set(parts) & set(run["parts"]) or (commits and commit_of(run) not in commits):
             continue
         text = f"commit {commit_of(run)}, {run['begun'][:10]}, {run.get('machine', '?')}, load {run.get('load', '?')}"
         if text.endswith("quick 1"):

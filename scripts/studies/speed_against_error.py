@@ -36,7 +36,7 @@ def part_a():
                 panel.curve(setting, chart.colour_of(setting),
                             [(float(r["user_s_per_s"]), float(r[key])) for r in sorted(curve, key=lambda r: -float(r["moment_s"]))])
             panels.append(panel)
-    chart.write_figure(FIGURES / "closed_form_errors.svg", panels, 2, 560, 340, stamp("closed_form"))
+    chart.write_figure(FIGURES / "closed_form_errors.svg", panels, 2, 560, 340, stamp("closed_form", rows=rows))
     lines += ["## A. Closed forms", "",
               "Mean over time of the error of place and velocity (velocities jump at impacts, so their largest error does",
               "not shrink with the time step); impacts are spread evenly over a time step. Along each curve the time step is halved.",

@@ -158,7 +158,7 @@ def part_b():
             lines += [wrapped(f"{name}: {1 / cost:.4g} x real time, {', '.join(beside)}; measured at commit `{commit}`. Beside it "
                               f"stands the error of the same setting on a processor in these windows, {1e3 * error:.3g} mm; Box2D's time is that of the table."), ""]
     lines += dropped_table(regimes)
-    chart.write_figure(FIGURES / "windows.svg", panels, 2, 760, 500, stamp("windows"))
+    chart.write_figure(FIGURES / "windows.svg", panels, 2, 760, 500, stamp("windows", rows=rows))
     return lines + figure("windows", "Part B: error against cost in windows; dashed upright: the paper's speeds of 2014, 6 and 2 times "
                           "real time on a GPU of then. "
                           "Labels name the settings on the front as far as there is room; the tables name all.")

@@ -150,6 +150,17 @@ TEST_F(RunFileTest, FloesComeBackAsListedFloes) {
   EXPECT_EQ(floes[2].thickness_m, 0.5);
 }
 
+TEST_F(RunFileTest, FastFloesCloseFarInATimeStepAndStillComeBack) {
+  Bodies field = fake_field(3);
+  field.velocity[2] = {10.0, 0.0};  // twice its way in a time step, and the recorded overlap, are more than a metre
+  FakeEngine engine(scene_, field);
+  run_scene(scene_, engine, options_);
+  ASSERT_GE(2.0 * 10.0 * scene_.numerics.time_step_s, 1.0);
+  const FloesStart start = floes_of_run_file(options_.output, last_frame);
+  EXPECT_EQ(start.floes.size(), 3U);
+  EXPECT_EQ(start.overlap, 1.0);
+}
+
 TEST_F(RunFileTest, NumericalStopIsInTheFile) {
   FakeEngine engine(scene_, fake_field(3));
   engine.stop_at = 150;

@@ -119,22 +119,24 @@ def part_speed():
              "median over the blocks with its quartiles; above 1 gem is faster. gem and Box2D take the same time step here, so this is speed",
              "without regard to error.", "", provenance("speed", rows), ""]
     body, middles = [], []
+    shown = [s for s in SPEED_SETTINGS if any(r["setting"] == s for r in rows)]
+    mine_is = "gem" if "gem" in shown else "gem gradient"
     for (case,), group in sorted(grouped([r for r in rows if r["case"] != "growth"], "case").items()):
         settings = grouped(group, "setting")
         total = {s[0]: sum(float(r["wall_s"]) for r in b) for s, b in settings.items()}
         span = max(float(r["to_s"]) for r in group)
-        cells = [case, f"{span:g}"] + [f"{span / total[s]:.3g}" if total.get(s) else "" for s in SPEED_SETTINGS]
+        cells = [case, f"{span:g}"] + [f"{span / total[s]:.3g}" if total.get(s) else "" for s in shown]
         blocks = {s[0]: {r["block"]: float(r["wall_s"]) for r in b} for s, b in settings.items()}
-        mine = blocks.get("gem", blocks.get("gem gradient", {}))
+        mine = blocks.get(mine_is, {})
         both = [blocks["Box2D 8/3"][k] / mine[k] for k in mine if blocks.get("Box2D 8/3", {}).get(k) and mine[k] > 0.0]
         if len(both) >= 2:
             low, middle, high = statistics.quantiles(both, n=4)
             middles.append(middle)
             cells.append(f"{middle:.2f} ({low:.2f} to {high:.2f})")
-        body.append(cells + [""] * (7 - len(cells)))
-    lines += table(["case", "simulated [s]"] + [f"{s}, x real time" for s in SPEED_SETTINGS] + ["Box2D / gem"], body)
+        body.append(cells + [""] * (3 + len(shown) - len(cells)))
+    lines += table(["case", "simulated [s]"] + [f"{s}, x real time" for s in shown] + [f"Box2D / {mine_is}"], body)
     if middles:
-        lines += [f"Over {len(middles)} cases gem takes 1/{min(middles):.2f} to 1/{max(middles):.2f} of Box2D's time, in the middle "
+        lines += [f"Over {len(middles)} cases {mine_is} takes 1/{min(middles):.2f} to 1/{max(middles):.2f} of Box2D's time, in the middle "
                   f"1/{statistics.median(middles):.2f}.", ""]
     panel = chart.Panel("Growth with the number of floes", "floes", "wall time per simulated second [s/s]")
     powers, grown = [], [r for r in rows if r["case"] == "growth"]

@@ -135,7 +135,8 @@ def part_b():
     if not rows:
         return ["## B. Short windows", "", "Not measured.", ""]
     lines = ["## B. Short windows", "",
-             "The reference has a sixteenth of the case's time step and up to 1000 iterations of `gradient` towards 1e-6 of the current's",
+             "dt is 5 cm of drift: 0.2 s in the drift, 0.05 s in plug and jam. The reference has a sixteenth of it and up to 1000",
+             "iterations of `gradient` towards 1e-6 of the current's",
              "speed; in the jam most of its steps end at that limit (bench/notebook.md says how sure it is). It takes over from a run with",
              "`gradient` a second before a window begins, and every setting starts from its state there. The error of places is the root of",
              "the mean square over floes and platform at the end of a window, and over all windows. The force is the mean of a window, and",

@@ -40,17 +40,23 @@ std::size_t frame_at(const RunFile& file, double time) {
          "the nearest is at " + number_text(*nearest, 9) + " s");
 }
 
+double deepest_overlap(const RunFile& file) {
+  double deepest = 0.0;
+  for (const double overlap : file.column("stats/maximum_overlap")) deepest = std::max(deepest, overlap);
+  return deepest;
+}
+
 /// The deepest overlap that a correct file can show in any of its frames, see run_start.h.
 double overlap_of(const RunFile& file, const std::vector<FloeDef>& floes) {
-  double deepest = 0.0, fastest = 0.0, farthest = 0.0;
-  for (const double overlap : file.column("stats/maximum_overlap")) deepest = std::max(deepest, overlap);
+  double fastest = 0.0, farthest = 0.0;
   for (const FloeDef& floe : floes) {
     double radius = 0.0;
     for (const Vec2 corner : floe.outline_m) radius = std::max(radius, length(corner));
     fastest = std::max(fastest, length(floe.velocity_m_per_s) + radius * std::abs(floe.spin_rad_per_s));
     farthest = std::max(farthest, length(floe.position_m) + std::numbers::pi * radius);
   }
-  return deepest + 2.0 * fastest * stored_scene(file).numerics.time_step_s + 2.0 * single_rounding * farthest;
+  const double closed = 2.0 * fastest * stored_scene(file).numerics.time_step_s;
+  return std::min(deepest_overlap(file) + closed + 2.0 * single_rounding * farthest, overlap_maximum);
 }
 
 /// Throws if a column has another length than there are floes.
@@ -114,10 +120,9 @@ FloesStart floes_of_run_file(const std::string& path, double time) {
   }
   start.floes.resize(kept);
   if (kept == 0) refuse(file, "all floes had left at " + number_text(frame.time) + " s", "choose an earlier frame");
+  if (const double deepest = deepest_overlap(file); !(deepest <= overlap_maximum))
+    refuse(file, "its bodies overlapped by up to " + number_text(deepest, 3) + " m", "look at its verdict: gem info");
   start.overlap = overlap_of(file, start.floes);
-  if (!(start.overlap <= overlap_maximum))
-    refuse(file, "its bodies overlapped by up to " + number_text(start.overlap, 3) + " m",
-           "look at its verdict: gem info");
   return start;
 }
 

@@ -31,7 +31,7 @@ struct FloesStart {
 /// The floes of the frame at `time` [s] (0: the start of the run, in full precision; last_frame). The file may be
 /// incomplete. Frames are in single precision, and floes in contact overlap in a run. So the floes may overlap by
 /// the deepest recorded overlap of the run, what closes in one time step after it was measured, and the rounding of two
-/// places. Throws Error(file_system) if there is no such frame.
+/// places, but not by more than a metre. Throws Error(file_system) if there is no such frame.
 FloesStart floes_of_run_file(const std::string& path, double time = 0.0);
 
 /// The platform of the run at the same time, from the last sample not after it; empty if the run had none.

@@ -103,7 +103,9 @@ void expect_same_totals(const RunSummary& a, const RunSummary& b) {
   EXPECT_EQ(a.worst.residual, b.worst.residual);
   EXPECT_EQ(a.verdict.grade, b.verdict.grade);
   EXPECT_EQ(std::isnan(a.asked_residual), std::isnan(b.asked_residual));
-  if (!std::isnan(a.asked_residual)) EXPECT_EQ(a.asked_residual, b.asked_residual);
+  if (!std::isnan(a.asked_residual)) {
+    EXPECT_EQ(a.asked_residual, b.asked_residual);
+  }
 }
 
 class ContinueTest : public testing::TestWithParam<Setting> {

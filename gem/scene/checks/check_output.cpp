@@ -13,7 +13,7 @@ void check_output(const SceneDef& s, SceneProblems& out) {
   const auto check = [&](const char* key, double interval) {
     if (interval < s.numerics.time_step_s)
       out.push_back({key, "shorter than one time step (value " + plain_number_text(interval) + ", allowed at least " +
-                              plain_number_text(s.numerics.time_step_s) + " s)"});
+                              plain_number_text(s.numerics.time_step_s) + " s) give a whole number of time steps"});
     else if (s.run.duration_s / interval > samples_maximum)
       out.push_back({key, "too many samples (value " + plain_number_text(interval) + ", allowed at least " +
                               plain_number_text(s.run.duration_s / samples_maximum) + " s)"});

@@ -82,6 +82,11 @@ void warn_of_time_step(const SceneDef& scene, SceneWarnings& warnings) {
                        plain_number_text(scene.output.platform_interval_s) +
                        ") samples will be uneven, and gem analyse and gem report need even ones; a time step is " +
                        plain_number_text(step) + " s");
+  const double window = step * std::max(1.0, std::round(scene.output.force_window_s / step));
+  if (scene.platform.present && !whole(scene.output.force_window_s))
+    warnings.push_back("output.force_window_s: not a whole number of time steps (value " +
+                       plain_number_text(scene.output.force_window_s) + ") forces are means over " +
+                       number_text(window, 9) + " s");
 }
 
 }  // namespace gem

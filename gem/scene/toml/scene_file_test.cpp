@@ -252,6 +252,7 @@ TEST(SceneWarnings, TimesThatAreNoWholeTimeStepsAreNamed) {
   const auto warned = [](const std::string& text) { return scene_warnings(parse_scene(text, "t.toml")); };
   EXPECT_NE(warned("[output]\nplatform_interval_s = 0.12\n").at(0).find("output.platform_interval_s"),
             std::string::npos);
+  EXPECT_NE(warned("[output]\nforce_window_s = 0.12\n").at(0).find("forces are means over 0.1 s"), std::string::npos);
   EXPECT_NE(warned("[run]\nduration_s = 0.32\n").at(0).find("the run ends at 0.3 s"), std::string::npos);
   EXPECT_TRUE(warned("[run]\nduration_s = 15200.0\n[numerics]\ntime_step_s = 0.1\n").empty());
 }

@@ -23,6 +23,8 @@ constexpr double path_fraction = 0.2;
 // The mooring force is split around the contact step. The split is accurate while omega dt is small.
 constexpr double mooring_phase_maximum = 0.2;
 constexpr double steps_maximum = 1e10;
+// Share of a force window by which whole time steps may miss it without a word. Chosen by hand.
+constexpr double window_error = 0.1;
 
 /// How far bodies close in a time step, and how far they overlap before their contact is seen.
 void check_path(const SceneDef& s, SceneProblems& out) {
@@ -83,7 +85,7 @@ void warn_of_time_step(const SceneDef& scene, SceneWarnings& warnings) {
                        ") samples will be uneven, and gem analyse and gem report need even ones; a time step is " +
                        plain_number_text(step) + " s");
   const double window = step * std::max(1.0, std::round(scene.output.force_window_s / step));
-  if (scene.platform.present && !whole(scene.output.force_window_s))
+  if (scene.platform.present && std::abs(window / scene.output.force_window_s - 1.0) > window_error)
     warnings.push_back("output.force_window_s: not a whole number of time steps (value " +
                        plain_number_text(scene.output.force_window_s) + ") forces are means over " +
                        number_text(window, 9) + " s");

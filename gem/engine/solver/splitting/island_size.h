@@ -21,10 +21,18 @@ struct IslandSize {
 
   /// Tolerance of the velocities [m/s] from that of the case. Errors add up along a chain, and a small island is cheap:
   /// both must meet a thirty-second. In a jam that would cost far more, and change places and loads less than the time
-  /// step does (bench/notebook.md, "Plugs are no chains").
-  GEM_HD double tolerance(double of_case) const { return is_jam() ? of_case : of_case / 32.0; }
+  /// step does (bench/notebook.md, "Plugs are no chains"). A chain of more than 128 bodies has more, up to an eighth
+  /// from 512 on: the force at its end has grown with its length, and single precision cannot meet less.
+  GEM_HD double tolerance(double of_case) const {
+    if (is_jam()) return of_case;
+    const std::int32_t share = bodies < shortest_long_chain       ? shortest_long_chain
+                               : bodies < 4 * shortest_long_chain ? bodies
+                                                                  : 4 * shortest_long_chain;
+    return of_case * share / (32.0 * shortest_long_chain);
+  }
 
  private:
+  static constexpr std::int32_t shortest_long_chain = 128;
   static constexpr std::int32_t fewest_of_a_chain = 16;
   GEM_HD bool has_loops() const { return contacts > bodies + bodies / 16; }
 };

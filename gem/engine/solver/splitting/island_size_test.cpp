@@ -28,6 +28,9 @@ TEST(IslandSize, LetsOnlyAJamUseTheWholeTolerance) {
   EXPECT_EQ((IslandSize{100, 270, 200}.tolerance(1e-3)), 1e-3);
   EXPECT_EQ((IslandSize{100, 200, 100}.tolerance(1e-3)), 1e-3 / 32.0);
   EXPECT_EQ((IslandSize{2, 2, 1}.tolerance(1e-3)), 1e-3 / 32.0);
+  EXPECT_EQ((IslandSize{128, 256, 128}.tolerance(1e-3)), 1e-3 / 32.0);
+  EXPECT_EQ((IslandSize{256, 512, 256}.tolerance(1e-3)), 1e-3 / 16.0);
+  EXPECT_EQ((IslandSize{1000, 2000, 1000}.tolerance(1e-3)), 1e-3 / 8.0);
 }
 
 }  // namespace

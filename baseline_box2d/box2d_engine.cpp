@@ -29,14 +29,14 @@ double work_on(const Bodies& b, std::size_t i, Vec2 velocity, double spin) {
 
 /// Box2D sees a contact once the skins overlap, gem's solver before that; so the longest time step is shorter here.
 void check_time_step(const SceneDef& scene) {
-  const double width = smallest_floe_width(scene), speed = closing_speed_bound(scene);
-  const double longest = 0.1 * width / speed;
+  const double longest = longest_unseen_step(scene, 0.0);
   if (scene.numerics.time_step_s <= longest) return;
-  throw Error(ExitCode::scene_rejected, "numerics.time_step_s: the time step is too long for box2d (value " +
-                                            number_text(scene.numerics.time_step_s, 9) + ", allowed at most " +
-                                            limit_text(longest) + " s: bodies closing at " + number_text(speed, 4) +
-                                            " m/s would overlap by more than a tenth of " + number_text(width, 4) +
-                                            " m before it sees their contact) give a smaller time step");
+  throw Error(ExitCode::scene_rejected,
+              "numerics.time_step_s: the time step is too long for box2d (value " +
+                  number_text(scene.numerics.time_step_s, 9) + ", allowed at most " + limit_text(longest) +
+                  " s: bodies closing at " + number_text(closing_speed_bound(scene), 4) +
+                  " m/s would overlap by more than a tenth of " + number_text(smallest_floe_width(scene), 4) +
+                  " m before it sees their contact) give a smaller time step");
 }
 
 }  // namespace

@@ -137,4 +137,9 @@ double smallest_floe_width(const SceneDef& scene) {
   return smallest;
 }
 
+double longest_unseen_step(const SceneDef& scene, double foreseen) {
+  const double unseen = closing_speed_bound(scene) - foreseen;
+  return unseen > 0.0 ? 0.1 * smallest_floe_width(scene) / unseen : std::numeric_limits<double>::infinity();
+}
+
 }  // namespace gem

@@ -24,6 +24,11 @@ double fastest_point(const SceneDef& scene);
 /// found only once they overlap.
 double speed_foreseen(const SceneDef& scene);
 
+/// Longest time step in which bodies overlap by at most a tenth of the smallest floe before their contact is seen [s],
+/// well before the contact normal can flip (an overlap of the width). `foreseen`: closing speed that is seen before
+/// [m/s].
+double longest_unseen_step(const SceneDef& scene, double foreseen);
+
 /// Smallest width of any floe known before the field is made [m]; infinity without floes.
 double smallest_floe_width(const SceneDef& scene);
 

@@ -1,7 +1,6 @@
 // The time step against floes, mooring and the length of the run.
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <string>
 
 #include "gem/base/number_text.h"
@@ -14,9 +13,6 @@
 namespace gem {
 namespace {
 
-// Share of the smallest floe that two bodies may overlap before their contact is seen, well before the contact normal
-// can flip (an overlap of the width).
-constexpr double overlap_fraction = 0.1;
 // Share of the smallest floe that two bodies may close in a time step, in which contacts keep their normals. Windows of
 // a plug and a jam were measured with it (40 cm of drift, floes of 2 m), and a floe that turns by 0.25 rad (H8).
 constexpr double path_fraction = 0.2;
@@ -31,8 +27,7 @@ void check_path(const SceneDef& s, SceneProblems& out) {
   const double dt = s.numerics.time_step_s;
   const double width = smallest_floe_width(s), speed = closing_speed_bound(s);
   if (!std::isfinite(width) || !(speed > 0.0)) return;
-  const double unseen = speed - speed_foreseen(s);
-  const double by_overlap = unseen > 0.0 ? overlap_fraction * width / unseen : std::numeric_limits<double>::infinity();
+  const double by_overlap = longest_unseen_step(s, speed_foreseen(s));
   const double by_path = path_fraction * width / speed;
   if (dt <= std::min(by_overlap, by_path)) return;
   const char* const what = by_overlap < by_path ? "overlap by more than a tenth" : "close by more than a fifth";

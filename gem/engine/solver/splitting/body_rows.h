@@ -57,6 +57,7 @@ struct BlockPushes {
   PushRows<repairs> b, a;
 };
 
+/// What eight points ask of both bodies, in velocities and in repairs.
 template <bool repairs, class Block>
 GEM_INLINE BlockPushes<repairs> pushes_of(const Block& q, PointShare<FloatPack> share, PointShare<FloatPack> repair) {
   BlockPushes<repairs> pushes;
@@ -90,7 +91,7 @@ GEM_INLINE void add_block_pushes(std::vector<BodyRow>& to, const std::int32_t* a
   add_push_rows<repairs>(to, a, pushes.a);
 }
 
-/// Adds what eight points ask of both bodies, in velocities and in repairs.
+/// Adds pushes_of() eight points.
 template <bool repairs, class Block>
 GEM_INLINE void add_pushes(const Block& q, PointShare<FloatPack> share, PointShare<FloatPack> repair,
                            std::vector<BodyRow>& to) {

@@ -107,7 +107,7 @@ def main():
              "The state is what the case's own settings lead to; each setting starts from the leader's impulses, scaled "
              "to its dt. Cells: rms distance of the floes [mm]; distance of the platform [mm]; mean ice force against "
              "the reference [%]. Reference: U dt = 2.5 cm / 8 with 48 iterations. `5 cm/32`: U dt = 5 cm, 32 iterations, "
-             "the default."]
+             "the default of `gradient`."]
     for name in names:
         if name.startswith("errors_"):
             lines += windows(name)

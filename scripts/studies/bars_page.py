@@ -28,8 +28,8 @@ def points_of(group, kind):
 # Settings of gem with all options of the scene: all of them, those of the default iteration, and those that change its time step
 # and threads alone.
 STEP = r"(dt/\d|\d?dt)"
-ALL = rf"gem( independent| gradient)? {STEP}( tolerance 1e-[23]| \d+ iterations)?( 2 threads)?"
-SPLITTING = rf"gem {STEP}( tolerance 1e-[23]| \d+ iterations)?( 2 threads)?"
+ALL = rf"gem( independent| gradient)? {STEP}( tolerance \de-\d| \d+ iterations)?( 2 threads)?"
+SPLITTING = rf"gem {STEP}( tolerance \de-\d| \d+ iterations)?( 2 threads)?"
 DEFAULT = rf"gem {STEP}( 2 threads)?"
 
 

@@ -21,7 +21,7 @@ b2PolygonShape shape_of(const std::vector<Vec2>& piece, std::size_t i, double sk
     throw Error(ExitCode::scene_rejected,
                 "body " + std::to_string(i) +
                     " would lose corners in Box2D (it joins corners closer than 2.5 mm and drops those that hardly "
-                    "stick out) use an outline without them or the engine cpu");
+                    "stick out); use an outline without them or the engine cpu");
   shape.m_radius = static_cast<float>(skin);
   return shape;
 }

@@ -36,7 +36,7 @@ void check_time_step(const SceneDef& scene) {
                   number_text(scene.numerics.time_step_s, 9) + ", allowed at most " + limit_text(longest) +
                   " s: bodies closing at " + number_text(closing_speed_bound(scene), 4) +
                   " m/s would overlap by more than a tenth of " + number_text(smallest_floe_width(scene), 4) +
-                  " m before it sees their contact) give a smaller time step");
+                  " m before it sees their contact); give a smaller time step");
 }
 
 }  // namespace

@@ -15,7 +15,7 @@ constexpr int kMostSubsteps = 1000;
 Error fault(const std::string& text, const std::string& reason) {
   std::string keys;
   for (const BaselineSetting& setting : box2d_settings()) keys += (keys.empty() ? "" : ", ") + setting.key;
-  return Error(ExitCode::usage, "cannot set '" + text + "' of box2d (" + reason + ") give KEY=VALUE with one of " +
+  return Error(ExitCode::usage, "cannot set '" + text + "' of box2d (" + reason + "); give KEY=VALUE with one of " +
                                     keys + "; switches are 0 or 1");
 }
 

@@ -223,12 +223,12 @@ int run(const std::vector<std::string>& a) {
   const std::vector<EngineSetting> settings = read_settings(a[0], {});
   const std::vector<ClosedForm> forms = closed_forms(0.0);
   std::ofstream out(a[2]);
-  if (!out) throw Error(ExitCode::file_system, "cannot write " + a[2] + " (it does not open) name another file");
+  if (!out) throw Error(ExitCode::file_system, "cannot write " + a[2] + " (it does not open); name another file");
   out << "case,setting,engine,moment_s,place_L1_m,velocity_L1_m_per_s,contacts,user_s_per_s,commit\n";
   std::string list = a[1] + ",";
   for (std::size_t comma; (comma = list.find(',')) != std::string::npos; list.erase(0, comma + 1)) {
     const double step = number_of(list.substr(0, comma), "MOMENT_S");
-    if (!(step > 0.0)) throw Error(ExitCode::usage, "a moment of " + list + " s (it must be above 0) correct it");
+    if (!(step > 0.0)) throw Error(ExitCode::usage, "a moment of " + list + " s (it must be above 0); correct it");
     for (std::size_t k = 0; k < forms.size(); ++k)
       for (const EngineSetting& setting : settings) {
         const ClosedForm& form = forms[k];

@@ -226,7 +226,7 @@ void check_word(const std::string& word, const std::vector<std::string>& known) 
   if (std::find(known.begin(), known.end(), word) != known.end()) return;
   std::string all;
   for (const std::string& one : known) all += " " + one;
-  throw Error(ExitCode::usage, "'" + word + "' is not known (one of" + all + ") see the top of bench/cuda_speed.cpp");
+  throw Error(ExitCode::usage, "'" + word + "' is not known (one of" + all + "); see the top of bench/cuda_speed.cpp");
 }
 
 }  // namespace

@@ -170,7 +170,7 @@ void study(const Law& law, ContactSolver solver) {
 
 int main(int argc, char** argv) {
   try {
-    if (argc != 2) throw gem::Error(gem::ExitCode::usage, "the folder of the cases is needed (one argument) give it");
+    if (argc != 2) throw gem::Error(gem::ExitCode::usage, "the folder of the cases is needed (one argument); give it");
     std::cout << "law,resolution,judge,moment_s,place_m,velocity_m_per_s,commit\n";
     for (const gem::bench::Law& law : gem::bench::laws(argv[1]))
       for (const auto solver : {gem::ContactSolver::coupled, gem::ContactSolver::independent})

@@ -67,9 +67,9 @@ int run(const std::vector<std::string>& a) {
   const int blocks = static_cast<int>(number_of(a[2], "BLOCKS"));
   const SceneDef scene = read_case(choice);
   const double asked = number_of(a[3], "UNTIL_S"), until = asked > 0.0 ? asked : scene.run.duration_s;
-  if (blocks < 1) throw Error(ExitCode::usage, "BLOCKS is " + a[2] + " (at least 1 is needed) give more");
+  if (blocks < 1) throw Error(ExitCode::usage, "BLOCKS is " + a[2] + " (at least 1 is needed); give more");
   std::ofstream out(a[4]);
-  if (!out) throw Error(ExitCode::file_system, "cannot write " + a[4] + " (it does not open) name another file");
+  if (!out) throw Error(ExitCode::file_system, "cannot write " + a[4] + " (it does not open); name another file");
   out << "case,setting,engine,threads,floes,moment_s,block,from_s,to_s,user_s,wall_s,contacts,commit\n";
   std::vector<Runner> all = runners(a[1], choice);
   const std::string name = a.size() > 5 ? a[5] : scene.run.name;

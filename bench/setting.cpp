@@ -39,7 +39,7 @@ void set_option(EngineSetting& setting, const std::string& option) {
   } else if (key == "warm") {
     setting.warm = value != 0.0;
   } else if (key == "step_factor") {
-    if (!(value > 0.0)) throw Error(ExitCode::usage, option + " is no factor (it must be above 0) correct it");
+    if (!(value > 0.0)) throw Error(ExitCode::usage, option + " is no factor (it must be above 0); correct it");
     setting.step_factor = value;
   } else {
     options.baseline_settings.push_back(key == "skin" ? "skin_m=" + text : option);
@@ -57,7 +57,7 @@ void scale_impulses(EngineState& state, double ratio) {
 
 double number_of(const std::string& text, const std::string& what) {
   const auto value = parse_number(text);
-  if (!value) throw Error(ExitCode::usage, what + " is no number ('" + text + "') give one");
+  if (!value) throw Error(ExitCode::usage, what + " is no number ('" + text + "'); give one");
   return *value;
 }
 
@@ -71,7 +71,7 @@ CaseChoice case_named(const std::string& text) {
 
 std::vector<EngineSetting> read_settings(const std::string& path, const CaseChoice& chosen_case) {
   std::ifstream file(path);
-  if (!file) throw Error(ExitCode::file_system, "cannot read " + path + " (it does not open) name a settings file");
+  if (!file) throw Error(ExitCode::file_system, "cannot read " + path + " (it does not open); name a settings file");
   std::vector<EngineSetting> settings;
   for (std::string line; std::getline(file, line);) {
     if (line.empty() || line[0] == '#') continue;

@@ -53,7 +53,7 @@ std::vector<double> times_of(const std::string& text) {
   std::istringstream stream(text);
   for (std::string word; std::getline(stream, word, ',');) times.push_back(number_of(word, "START_S"));
   if (times.empty() || times[0] < 0.0 || !std::is_sorted(times.begin(), times.end()))
-    throw Error(ExitCode::usage, "START_S is no ascending list of times (got '" + text + "') give one");
+    throw Error(ExitCode::usage, "START_S is no ascending list of times (got '" + text + "'); give one");
   return times;
 }
 
@@ -125,7 +125,7 @@ void time_once(Setting& setting, const Start& start, double window) {
   if (engine->state_hash() != setting.hash)
     throw Error(ExitCode::numerical_stop, setting.label +
                                               " gave other bits when repeated (its engine is not "
-                                              "deterministic, or blocks matter) find out why");
+                                              "deterministic, or blocks matter); find out why");
 }
 
 void print_row(const std::string& name, double time, double window, const Setting& s, const Setting* reference) {

@@ -47,7 +47,7 @@ Setting parsed(const std::string& text) {
   for (std::string one; std::getline(in, one, ':');) part.push_back(one);
   const bool splits = !part.empty() && part[0] == "splitting";
   if (part.size() != (splits ? 4u : 3u) || (!splits && part[0] != "gradient"))
-    throw Error(ExitCode::usage, "'" + text + "' is no setting (see the head of the source) correct it");
+    throw Error(ExitCode::usage, "'" + text + "' is no setting (see the head of the source); correct it");
   return {splits, static_cast<int>(number_of(part[1], "ITERATIONS")), splits ? number_of(part[2], "TOLERANCE") : 0.0,
           number_of(part.back(), "FACTOR")};
 }
@@ -115,7 +115,7 @@ int run(const std::vector<std::string>& a) {
   const Bodies field = make_field(scene);
   constexpr std::int64_t settling = 20;
   const std::int64_t steps = std::llround(start / scene.numerics.time_step_s);
-  if (steps <= settling) throw Error(ExitCode::usage, "START_S is too small (20 time steps are needed) give more");
+  if (steps <= settling) throw Error(ExitCode::usage, "START_S is too small (20 time steps are needed); give more");
   StepLog log;
   log.wants_events = false;
   CpuEngine coarse(scene, field, 2, 256);

@@ -87,7 +87,7 @@ void time_again(Judged& result, const EngineSetting& setting, const Start& start
   if (engine->state_hash() != result.hash)
     throw Error(ExitCode::numerical_stop, setting.label +
                                               " gave other bits when repeated (its engine is not "
-                                              "deterministic) find out why");
+                                              "deterministic); find out why");
 }
 
 /// Root mean square distance over the instants, for all floes and for the platform [m].
@@ -172,14 +172,14 @@ void check_steps(const std::vector<EngineSetting>& settings, const Task& task) {
       throw Error(ExitCode::usage, setting.label + ": its moment of " +
                                        number_text(setting.scene.numerics.time_step_s) +
                                        " s does not divide the time between instants (places would be compared at "
-                                       "different times) choose WINDOW_S and INSTANTS accordingly");
+                                       "different times); choose WINDOW_S and INSTANTS accordingly");
   }
 }
 
 void measure(const Task& task) {
   const std::vector<EngineSetting> settings = read_settings(task.settings, task.chosen_case);
   if (settings.size() < 2)
-    throw Error(ExitCode::usage, task.settings + ": fewer than two settings (nothing to compare) add one");
+    throw Error(ExitCode::usage, task.settings + ": fewer than two settings (nothing to compare); add one");
   check_steps(settings, task);
   Tables tables(task);
   const EngineSetting& reference = settings.front();
@@ -223,7 +223,7 @@ int run(const std::vector<std::string>& a) {
         task.repetitions >= 0))
     throw Error(ExitCode::usage,
                 "START_S >= SETTLE_S >= 0, a window, an instant and no negative number of repetitions "
-                "are needed (values out of range) correct them");
+                "are needed (values out of range); correct them");
   measure(task);
   return 0;
 }

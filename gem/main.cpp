@@ -18,7 +18,7 @@ namespace {
   try {
     if (std::current_exception()) std::rethrow_exception(std::current_exception());
   } catch (const std::bad_alloc&) {
-    constexpr char text[] = "gem: error: out of memory (nothing more can be done) use a machine with more\n";
+    constexpr char text[] = "gem: error: out of memory (nothing more can be done); use a machine with more\n";
     if (write(STDERR_FILENO, text, sizeof text - 1) < 0) std::abort();
     _exit(static_cast<int>(gem::ExitCode::resource_limit));
   } catch (...) {
@@ -34,7 +34,7 @@ void add_moved_paper_command(CLI::App& app, gem::Chosen& chosen) {
   command->callback([&chosen] {
     chosen.action = []() -> int {
       throw gem::Error(gem::ExitCode::usage,
-                       "the command paper has moved (to the program gem_paper) call `gem_paper judge`");
+                       "the command paper has moved (to the program gem_paper); call `gem_paper judge`");
     };
   });
 }

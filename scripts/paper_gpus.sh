@@ -21,19 +21,19 @@ usage_error() {
   exit 2
 }
 program=$(realpath "$1") gpus=$3
-[ -x "$program" ] || usage_error "$1 is no program (no such file or not executable) name the program gem"
+[ -x "$program" ] || usage_error "$1 is no program (no such file or not executable); name the program gem"
 judge=$(dirname "$program")/gem_paper
-[ -x "$judge" ] || usage_error "no $judge (not built) build gem_paper and put it beside $program"
+[ -x "$judge" ] || usage_error "no $judge (not built); build gem_paper and put it beside $program"
 made_by="$("$program" --version | head -n 1); ${GEM_RUN:=--engine cuda}; quick ${GEM_QUICK:-0}"
 case ${GEM_ANY_COMMIT:-0}/$made_by in
-0/*-dirty*) usage_error "$made_by (nobody can build that again) commit and build, or set GEM_ANY_COMMIT=1" ;;
+0/*-dirty*) usage_error "$made_by (nobody can build that again); commit and build, or set GEM_ANY_COMMIT=1" ;;
 esac
 IFS=, read -ra devices <<<"${CUDA_VISIBLE_DEVICES:-$(seq -s, 0 $((gpus - 1)))}"
-[ "${#devices[@]}" -ge "$gpus" ] || usage_error "$gpus GPUs are asked for (CUDA_VISIBLE_DEVICES names ${#devices[@]}) ask for fewer"
+[ "${#devices[@]}" -ge "$gpus" ] || usage_error "$gpus GPUs are asked for (CUDA_VISIBLE_DEVICES names ${#devices[@]}); ask for fewer"
 mkdir -p "$2"
 out=$(realpath "$2")
 exec 9>"$out/lock"
-flock -n 9 || usage_error "$out is in use (by another call of this script) wait for it or choose another folder"
+flock -n 9 || usage_error "$out is in use (by another call of this script); wait for it or choose another folder"
 shift 3
 [ $# -gt 0 ] || set -- day:1 day:2 day:3 table2 period_question sensitivity sensitivity_moment divergence seeds:1-3 seeds:4-6 \
   seeds:7-9 seeds:10-12 seeds:13-15 seeds:16-18 seeds:19-21 seeds:22-24 seeds:25-27 seeds:28-30

@@ -23,7 +23,7 @@ done
 shift $((OPTIND - 1))
 [ $# -ge 1 ] || set -- "$source_folder/bench/results/paper"
 if ! [ -x "$judge" ]; then
-  echo "no $judge (not built) run: cmake --preset default && cmake --build build --target gem_paper" >&2
+  echo "no $judge (not built); run: cmake --preset default && cmake --build build --target gem_paper" >&2
   exit 2
 fi
 

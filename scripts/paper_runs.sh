@@ -22,10 +22,10 @@ usage_error() {
   echo "$1" >&2
   exit 2
 }
-if [ ! -f "$1" ] || [ ! -x "$1" ]; then usage_error "$1 is no program (no such file or not executable) name the program gem"; fi
+if [ ! -f "$1" ] || [ ! -x "$1" ]; then usage_error "$1 is no program (no such file or not executable); name the program gem"; fi
 program=$(cd "$(dirname "$1")" && pwd)/$(basename "$1")
 judge=$(dirname "$program")/gem_paper
-[ -x "$judge" ] || usage_error "no $judge (not built) build gem_paper and put it beside $program"
+[ -x "$judge" ] || usage_error "no $judge (not built); build gem_paper and put it beside $program"
 folder=$2
 shift 2
 quick=${GEM_QUICK:-0}
@@ -51,7 +51,7 @@ is_part() {
   esac
 }
 for part; do
-  is_part "$part" || usage_error "$part is no part (its name or its seeds, 1 to 30) see the top of $0"
+  is_part "$part" || usage_error "$part is no part (its name or its seeds, 1 to 30); see the top of $0"
 done
 
 mkdir -p "$folder/runs" "$folder/summaries" "$folder/lists"

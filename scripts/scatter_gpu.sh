@@ -16,7 +16,7 @@ set -euo pipefail
 }
 program=$(realpath "$1") seconds=$3
 [ -x "$program" ] || {
-  echo "$1 is no program (no such file or not executable) name the program gem" >&2
+  echo "$1 is no program (no such file or not executable); name the program gem" >&2
   exit 2
 }
 mkdir -p "$2"

@@ -40,16 +40,16 @@ void add_case_options(CLI::App& command, CaseChoice& choice, bool required) {
 
 SceneDef read_case(const CaseChoice& choice) {
   if (choice.path.empty()) {
-    if (choice.index) throw Error(ExitCode::usage, "--index needs a sweep file (no file was given) name one");
+    if (choice.index) throw Error(ExitCode::usage, "--index needs a sweep file (no file was given); name one");
     return begun_from(choice, parse_scene("", "built-in case", choice.overrides));
   }
   TomlNode document = load_document(choice.path);
   if (document.entries.empty())
     throw Error(ExitCode::scene_rejected,
-                shown(choice.path) + ": no settings (the file is empty) give it keys; `gem case explain` lists them");
+                shown(choice.path) + ": no settings (the file is empty); give it keys; `gem case explain` lists them");
   if (document.find("sweep") == nullptr) {
     if (choice.index) {
-      throw Error(ExitCode::usage, choice.path + " is a single case (no [sweep] table) leave out --index");
+      throw Error(ExitCode::usage, choice.path + " is a single case (no [sweep] table); leave out --index");
     }
     return begun_from(choice, scene_of(std::move(document), choice.overrides));
   }
@@ -60,10 +60,10 @@ SceneDef read_case(const CaseChoice& choice) {
   const std::string range =
       members.empty() ? "none" : std::to_string(members.front().index) + " to " + std::to_string(members.back().index);
   if (!choice.index) {
-    throw Error(ExitCode::usage, choice.path + " is a sweep (runs " + range + ") choose one with --index");
+    throw Error(ExitCode::usage, choice.path + " is a sweep (runs " + range + "); choose one with --index");
   }
   throw Error(ExitCode::usage, "no run " + std::to_string(*choice.index) + " in " + choice.path + " (runs " + range +
-                                   ") see `gem sweep list`");
+                                   "); see `gem sweep list`");
 }
 
 SceneDef named_floes(SceneDef scene) {
@@ -74,10 +74,10 @@ SceneDef named_floes(SceneDef scene) {
   if (!fault) path = absolute.lexically_normal().string();
   if (scene.floes.time_s != 0.0 && !is_run_file(path))
     throw Error(ExitCode::scene_rejected, "floes.time_s: has no effect (value " + number_text(scene.floes.time_s) +
-                                              ", " + shown(path) + " is not a run file) remove it or name a run file");
+                                              ", " + shown(path) + " is not a run file); remove it or name a run file");
   if (scene.floes.concave != ConcaveFloes::refuse && is_run_file(path))
     throw Error(ExitCode::scene_rejected, "floes.concave: has no effect (" + shown(path) +
-                                              " is a run file, whose floes are convex) remove it or name a floe file");
+                                              " is a run file, whose floes are convex); remove it or name a floe file");
   if (is_run_file(path)) tried_in_child({{path}}, [&] { floes_of_run_file(path, scene.floes.time_s); });
   const std::vector<FloeDef> floes = is_run_file(path) ? floes_of_run_file(path, scene.floes.time_s).floes
                                                        : read_floe_file(path, scene.floes.concave).floes;
@@ -106,7 +106,7 @@ SceneDef with_floes_of_run_file(const SceneDef& scene) {
   check_same_floes(scene, start.floes);
   if (start.floes.empty())
     throw Error(ExitCode::scene_rejected,
-                scene.floes.path + ": no floes (the run had none) name another file or set floes.source = \"listed\"");
+                scene.floes.path + ": no floes (the run had none); name another file or set floes.source = \"listed\"");
   SceneDef listed = with_listed_floes(scene, std::move(start.floes));
   listed.floes.overlap = start.overlap;
   return listed;
@@ -143,7 +143,7 @@ void refuse_output(int fault) {
   const std::string why = fault == EBADF   ? "it is closed"
                           : fault == EPIPE ? "its reader has gone"
                                            : std::generic_category().message(fault);
-  throw Error(ExitCode::file_system, "cannot write to standard output (" + why + ") check where it goes");
+  throw Error(ExitCode::file_system, "cannot write to standard output (" + why + "); check where it goes");
 }
 
 }  // namespace

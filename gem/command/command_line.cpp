@@ -65,10 +65,10 @@ int run_command_line(CLI::App& app, Chosen& chosen, int argc, char** argv) {
   } catch (const Error& error) {
     return fault(app, chosen, error.what(), error.code());
   } catch (const std::bad_alloc&) {
-    return fault(app, chosen, "out of memory (an allocation failed) use fewer floes or free memory",
+    return fault(app, chosen, "out of memory (an allocation failed); use fewer floes or free memory",
                  ExitCode::resource_limit);
   } catch (const std::exception& error) {
-    return fault(app, chosen, std::string("unexpected (") + error.what() + ") please report this",
+    return fault(app, chosen, std::string("unexpected (") + error.what() + "); please report this",
                  ExitCode::resource_limit);
   }
 }

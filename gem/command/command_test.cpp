@@ -102,7 +102,7 @@ TEST_F(CommandTest, FaultsHaveTheirExitCodeOneLineAndNoFile) {
       {"gem run swing.toml --threads 2 --engine reference", 2, "--threads 2 has no effect on the engine reference"},
       {"gem run swing.toml --until 10 --set run.duration_s=20", 2, "--until 10 and --set run.duration_s=20"},
       {"gem run swing.toml --index 1", 2, "single case"},
-      {"gem run", 2, "no case (gem run computes the case of a file) name one, e.g. gem run cases/first.toml"},
+      {"gem run", 2, "no case (gem run computes the case of a file); name one, e.g. gem run cases/first.toml"},
       {"gem run -q --out run.h5", 2, "no case"},
       {"gem run --index 1", 2, "--index"},
       {"gem run swing.toml --set run.duration=1", 3, "run.duration"},

@@ -21,7 +21,7 @@ struct ExportOptions {
 void check_export_option(const std::string& flag, const std::string& value, bool fits, const std::string& ending) {
   if (value.empty() || fits) return;
   throw Error(ExitCode::usage, flag + " has no effect on " + ending +
-                                   " (see `gem export --help`) leave it out, or choose another ending");
+                                   " (see `gem export --help`); leave it out, or choose another ending");
 }
 
 int export_chosen(const ExportOptions& options) {
@@ -30,7 +30,7 @@ int export_chosen(const ExportOptions& options) {
   const bool film = ending == ".pvd", map = ending == ".geojson", table = ending == ".csv";
   if (!film && !map && !table)
     throw Error(ExitCode::usage, "cannot write " + shown(target.output) +
-                                     " (its ending names no format) allowed are .pvd, .geojson and .csv");
+                                     " (its ending names no format); allowed are .pvd, .geojson and .csv");
   check_export_option("--at", options.at, map, ending);
   check_export_option("--every", options.every, film, ending);
   check_export_option("--table", options.table, table, ending);

@@ -26,13 +26,13 @@ void read_size(const std::string& text, film::FilmOptions& options) {
   const auto fits = [](int pixels) { return pixels >= 64 && pixels <= 7680 && pixels % 2 == 0; };
   if (parted && high.ec == std::errc{} && high.ptr == end && fits(options.width) && fits(options.height)) return;
   throw Error(ExitCode::usage, "--size " + shown(text) +
-                                   " is no size of a film (it takes two even numbers from 64 to 7680) give e.g. "
+                                   " is no size of a film (it takes two even numbers from 64 to 7680); give e.g. "
                                    "--size 1280x720");
 }
 
 int film_chosen(FilmChoice choice) {
   if (choice.options.output.empty())
-    throw Error(ExitCode::usage, "the film has no name (NAME.mp4 or NAME.webm) give it after the run file");
+    throw Error(ExitCode::usage, "the film has no name (NAME.mp4 or NAME.webm); give it after the run file");
   read_size(choice.size, choice.options);
   if (!choice.from.empty()) choice.options.from_s = time_of_option("--from", choice.from);
   if (!choice.to.empty()) choice.options.to_s = time_of_option("--to", choice.to);

@@ -10,7 +10,7 @@ namespace gem {
 namespace {
 
 [[noreturn]] void refuse(const std::string& text, const std::string& why, std::size_t count) {
-  throw Error(ExitCode::usage, "--index " + text + " is not a list of runs (" + why + ") give numbers from 1 to " +
+  throw Error(ExitCode::usage, "--index " + text + " is not a list of runs (" + why + "); give numbers from 1 to " +
                                    std::to_string(count) + " as in 3 or 1-4,7; see `gem sweep list`");
 }
 

@@ -20,7 +20,7 @@ std::vector<SweepPageRun> runs_of_sweep(const std::string& folder, bool allow_in
   const std::vector<SweepRow> rows = read_manifest(folder);
   if (rows.empty())
     throw Error(ExitCode::file_system, shown(folder) +
-                                           " is not the folder of a sweep (it has no manifest.json) name a "
+                                           " is not the folder of a sweep (it has no manifest.json); name a "
                                            "run file, or the --out folder of `gem sweep run`");
   std::vector<SweepPageRun> runs;
   for (const SweepRow& row : rows) {

@@ -18,7 +18,7 @@ double time_of_option(const std::string& flag, const std::string& text) {
   const auto unit = units.find(fault == std::errc() ? std::string(end, last) : "?");
   if (unit == units.end() || !std::isfinite(number) || number < 0.0)
     throw Error(ExitCode::usage, flag + " " + shown(text) +
-                                     " is not a time (a number from 0 on, in s, or with its unit: s, min or h) write "
+                                     " is not a time (a number from 0 on, in s, or with its unit: s, min or h); write "
                                      "for example 1.3h");
   return number * unit->second;
 }

@@ -38,14 +38,14 @@ std::string joined(const std::vector<std::string>& names) {
 void check_solver(ContactSolver solver, std::initializer_list<ContactSolver> known, const std::string& engine) {
   if (std::find(known.begin(), known.end(), solver) != known.end()) return;
   throw Error(ExitCode::usage, "the engine " + engine + " cannot run contact.solver = \"" + solver_name(solver) +
-                                   "\" (it does not have this solver) choose another solver or engine");
+                                   "\" (it does not have this solver); choose another solver or engine");
 }
 
 void check_one_piece(const Bodies& bodies, const std::string& engine) {
   if (platform_bodies(bodies) == 1) return;
   throw Error(ExitCode::usage, "the engine " + engine +
                                    " cannot run a platform of several pieces (platform.outline = \"pieces\"; it knows "
-                                   "one convex outline) use --engine cpu");
+                                   "one convex outline); use --engine cpu");
 }
 
 std::vector<std::string> engine_names() { return {"reference", "cpu"}; }
@@ -53,7 +53,7 @@ std::vector<std::string> engine_names() { return {"reference", "cpu"}; }
 void refuse_breakup(const std::string& engine) {
   throw Error(ExitCode::usage, "the engine " + engine +
                                    " cannot split floes (breakup.maximum_pieces; it keeps the forces between bodies to "
-                                   "itself) use --engine cpu, or leave the key out");
+                                   "itself); use --engine cpu, or leave the key out");
 }
 
 namespace {

@@ -80,7 +80,7 @@ ExportReport export_geojson(const ExportTarget& target, double at_s) {
   const std::vector<FrameFloe> floes = record.frame(index);
   if (floes.empty())
     throw Error(ExitCode::usage, shown(file.path()) + ": no floe takes part at " + number_text(time) +
-                                     " s (all have left the field) choose an earlier --at");
+                                     " s (all have left the field); choose an earlier --at");
   const PlatformTrack platform(file);
   const SceneDef scene = stored_scene(file);
   const Vec2 anchor = scene.platform.anchor_m;

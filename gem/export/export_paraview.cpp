@@ -178,7 +178,7 @@ class Film {
       throw Error(ExitCode::resource_limit, "cannot write " + shown(output) + " (" + std::to_string(frames) +
                                                 " frames need about " + fixed_text(need / 1e6, 0) + " MB, free are " +
                                                 fixed_text(room / 1e6, 0) +
-                                                " MB) make room, or take fewer frames with --every");
+                                                " MB); make room, or take fewer frames with --every");
   }
 
   const RunFile& file_;

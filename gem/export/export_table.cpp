@@ -99,7 +99,7 @@ Table table_of(const RunFile& file, const std::string& name) {
   if (name == "platform" && !table.columns.empty()) add_parts(file, table);
   if (table.columns.empty())
     throw Error(ExitCode::usage, shown(file.path()) + ": no " + name +
-                                     " (the run did not record them) choose another "
+                                     " (the run did not record them); choose another "
                                      "--table");
   return table;
 }
@@ -118,7 +118,7 @@ void check_widths(const RunFile& file, const Table& table, const ColumnPiece& pi
   for (const TableColumn& column : table.columns)
     if (piece.values[column.dataset].size() != piece.rows * column.width)
       throw Error(ExitCode::file_system, "cannot read " + shown(file.path()) + " (" + table.datasets[column.dataset] +
-                                             " does not fit the columns beside it) the file may be damaged");
+                                             " does not fit the columns beside it); the file may be damaged");
 }
 
 void write_rows(std::ostream& out, const RunFile& file, const Table& table) {

@@ -13,7 +13,7 @@ namespace {
 
 [[noreturn]] void refuse_damaged(const RunFile& file, const std::string& why) {
   throw Error(ExitCode::file_system, "cannot read " + shown(file.path()) + " (" + why +
-                                         ") the file may be damaged or made by another program");
+                                         "); the file may be damaged or made by another program");
 }
 
 }  // namespace
@@ -83,7 +83,7 @@ std::size_t FloeRecord::nearest(double time_s) const {
   const double step = times_.size() > 1 ? times_[times_.size() - 1] - times_[times_.size() - 2] : 0.0;
   if (time_s > times_.back() + 0.5 * step + 1e-6)
     throw Error(ExitCode::usage, "--at " + number_text(time_s) + " s: no such frame (the record ends at " +
-                                     number_text(times_.back()) + " s) choose an earlier time");
+                                     number_text(times_.back()) + " s); choose an earlier time");
   const auto near = [time_s](double a, double b) { return std::fabs(a - time_s) < std::fabs(b - time_s); };
   return static_cast<std::size_t>(std::min_element(times_.begin(), times_.end(), near) - times_.begin());
 }

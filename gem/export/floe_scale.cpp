@@ -105,7 +105,7 @@ class Parting {
                                          number_text(floes_[i].position.x, 6) + ", " +
                                          number_text(floes_[i].position.y, 6) +
                                          ") m overlaps its neighbours too deeply (parted from them it would lose half "
-                                         "its size or more) choose another time, or look at the run with gem report");
+                                         "its size or more); choose another time, or look at the run with gem report");
   }
 
   const std::vector<FrameFloe>& floes_;

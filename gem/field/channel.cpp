@@ -19,13 +19,13 @@ void check(const BoundaryDef& b) {
   const auto refuse = [](const std::string& text) { throw Error(ExitCode::scene_rejected, "boundary: " + text); };
   if (!(b.inlet_x_m < 0.0 && b.outlet_x_m >= 0.0))
     refuse("inlet_x_m " + number_text(b.inlet_x_m) + " and outlet_x_m " + number_text(b.outlet_x_m) +
-           " do not enclose the platform (the gap is at x = 0) choose inlet_x_m < 0 and outlet_x_m >= 0");
+           " do not enclose the platform (the gap is at x = 0); choose inlet_x_m < 0 and outlet_x_m >= 0");
   if (!(b.inlet_width_m > 0.0 && b.gap_m > 0.0))
     refuse("inlet_width_m " + number_text(b.inlet_width_m) + " and gap_m " + number_text(b.gap_m) +
-           " must both be positive (the channel would be closed) increase them");
+           " must both be positive (the channel would be closed); increase them");
   if (b.gap_m != b.inlet_width_m && taper_start(b) >= 0.0)
     refuse("taper_start_x_m " + number_text(b.taper_start_x_m) +
-           " leaves no room for the taper (it ends at x = 0) move it upstream");
+           " leaves no room for the taper (it ends at x = 0); move it upstream");
 }
 
 /// Where the upper side's inner line starts, bends and ends; points in a straight line are left out.

@@ -22,26 +22,26 @@ namespace {
 
 void check_count(const std::vector<Vec2>& outline, const std::string& name, std::size_t maximum) {
   const std::string count = std::to_string(outline.size());
-  if (outline.size() < 3) refuse_outline(name, count + " vertices (an outline needs at least 3) add corners");
+  if (outline.size() < 3) refuse_outline(name, count + " vertices (an outline needs at least 3); add corners");
   if (outline.size() > maximum)
-    refuse_outline(name, count + " vertices (at most " + std::to_string(maximum) + " are allowed) simplify it");
+    refuse_outline(name, count + " vertices (at most " + std::to_string(maximum) + " are allowed); simplify it");
 }
 
 void check_points(const std::vector<Vec2>& outline, const std::string& name) {
   const std::size_t n = outline.size();
   for (std::size_t i = 0; i < n; ++i)
     if (!std::isfinite(outline[i].x) || !std::isfinite(outline[i].y))
-      refuse_vertex(name, i, "is not finite (a coordinate is infinite or not a number) correct it");
+      refuse_vertex(name, i, "is not finite (a coordinate is infinite or not a number); correct it");
   for (std::size_t i = 0; i < n; ++i)
     for (std::size_t j = i + 1; j < n; ++j)
       if (outline[i].x == outline[j].x && outline[i].y == outline[j].y)
-        refuse_vertex(name, j, "repeats vertex " + std::to_string(i) + " (corners must differ) remove it");
+        refuse_vertex(name, j, "repeats vertex " + std::to_string(i) + " (corners must differ); remove it");
   for (std::size_t i = 0; i < n; ++i) {
     const double edge = length(outline[(i + 1) % n] - outline[i]);
     if (edge < outline_edge_minimum)
       refuse_vertex(name, i,
                     "starts an edge of " + number_text(edge, 4) + " m (the shortest allowed is " +
-                        number_text(outline_edge_minimum) + " m) merge the two corners");
+                        number_text(outline_edge_minimum) + " m); merge the two corners");
   }
 }
 
@@ -60,9 +60,9 @@ std::vector<double> turns_of(const std::vector<Vec2>& outline) {
 
 void check_corners(const std::vector<double>& turns, const std::string& name) {
   if (std::all_of(turns.begin(), turns.end(), [](double t) { return t == 0.0; }))
-    refuse_outline(name, "zero area (all vertices lie on one line) correct the outline");
+    refuse_outline(name, "zero area (all vertices lie on one line); correct the outline");
   for (std::size_t i = 0; i < turns.size(); ++i)
-    if (turns[i] == 0.0) refuse_vertex(name, i, "lies on the line of its neighbours (corners must turn) remove it");
+    if (turns[i] == 0.0) refuse_vertex(name, i, "lies on the line of its neighbours (corners must turn); remove it");
 }
 
 void check_turns(const std::vector<double>& turns, double area, const std::string& name, const char* where_concave) {
@@ -86,7 +86,7 @@ CheckedOutline check_outline(const std::vector<Vec2>& outline, const std::string
   if (winding >= 0) {
     const auto vertex = static_cast<std::size_t>(winding);
     refuse_vertex(name, checked.reversed ? outline.size() - 1 - vertex : vertex,
-                  "winds around a second time (the outline crosses itself) correct the order of the corners");
+                  "winds around a second time (the outline crosses itself); correct the order of the corners");
   }
   return checked;
 }
@@ -100,7 +100,7 @@ CheckedOutline check_simple_outline(const std::vector<Vec2>& outline, const std:
   if (crossing.first < outline.size())
     refuse_vertex(name, crossing.first,
                   "starts an edge that meets the edge from vertex " + std::to_string(crossing.second) +
-                      " (the outline crosses or touches itself) correct it");
+                      " (the outline crosses or touches itself); correct it");
   CheckedOutline checked{outline, polygon_moments(outline).area < 0.0};
   if (checked.reversed) std::reverse(checked.outline.begin(), checked.outline.end());
   return checked;

@@ -100,7 +100,7 @@ void append_floes(Bodies& bodies, const SceneDef& scene, const std::vector<FloeD
     if (defs[i].thickness > 0.0) {
       defs[i].ice_class = class_of_thickness(classes, defs[i].thickness);
     } else if (classes.empty()) {
-      throw Error(ExitCode::scene_rejected, "floes: a floe has no thickness (no ice class is given) add an ice class");
+      throw Error(ExitCode::scene_rejected, "floes: a floe has no thickness (no ice class is given); add an ice class");
     } else {
       defs[i].ice_class = mixed[i];
       defs[i].thickness = classes[mixed[i]].thickness_m;
@@ -134,7 +134,7 @@ std::vector<FloeDef> with_moved_floe(std::vector<FloeDef> floes, const SceneDef&
   if (rank >= floes.size())
     throw Error(ExitCode::scene_rejected, "floes.moved_floe: no such floe (value " + std::to_string(def.moved_floe) +
                                               ", the field has " + std::to_string(floes.size()) +
-                                              " floes, counted from 0) choose one of them");
+                                              " floes, counted from 0); choose one of them");
   std::vector<std::pair<double, std::size_t>> nearest;
   for (std::size_t i = 0; i < floes.size(); ++i)
     nearest.emplace_back(length(floes[i].position_m - scene.platform.anchor_m), i);

@@ -21,7 +21,7 @@ void check_platform_pieces(const PlatformDef& platform) {
       if (separation >= -piece_touch) continue;
       throw Error(ExitCode::scene_rejected, name(j) + ": overlaps " + name(i) + " (by " + number_text(-separation, 4) +
                                                 " m, allowed at most " + number_text(piece_touch) +
-                                                " m: the area of both would count twice) cut the pieces so that they "
+                                                " m: the area of both would count twice); cut the pieces so that they "
                                                 "touch or stand apart");
     }
 }

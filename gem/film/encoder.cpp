@@ -79,7 +79,7 @@ void Encoder::start(int width, int height, double frames_per_second) {
   messages_ = std::tmpfile();
   std::array<int, 2> ends{};
   if (messages_ == nullptr || ::pipe2(ends.data(), O_CLOEXEC) != 0)
-    throw Error(ExitCode::resource_limit, "cannot start ffmpeg (no file or pipe left) close other programs");
+    throw Error(ExitCode::resource_limit, "cannot start ffmpeg (no file or pipe left); close other programs");
   const std::vector<std::string> command = command_for(draft_, width, height, frames_per_second);
   std::vector<char*> arguments;
   for (const std::string& part : command) arguments.push_back(const_cast<char*>(part.c_str()));
@@ -103,10 +103,10 @@ void Encoder::start(int width, int height, double frames_per_second) {
   std::fclose(messages_);
   if (failed == ENOENT)
     throw Error(ExitCode::usage,
-                "cannot make a film (the program ffmpeg was not found) install the package ffmpeg, or record the film "
+                "cannot make a film (the program ffmpeg was not found); install the package ffmpeg, or record the film "
                 "in the browser: gem view");
   throw Error(ExitCode::resource_limit,
-              "cannot start ffmpeg (" + std::generic_category().message(failed) + ") close other programs");
+              "cannot start ffmpeg (" + std::generic_category().message(failed) + "); close other programs");
 }
 
 void Encoder::add(const Canvas& picture) {
@@ -141,7 +141,7 @@ void Encoder::refuse() {
     if (c == '\n') c = ' ';
   throw Error(ExitCode::file_system, "cannot write " + shown(output_) +
                                          " (ffmpeg: " + (why.empty() ? "it gave no reason" : why) +
-                                         ") make room, or try the other ending (.mp4 or .webm)");
+                                         "); make room, or try the other ending (.mp4 or .webm)");
 }
 
 void Encoder::finish() {
@@ -150,7 +150,7 @@ void Encoder::finish() {
   std::filesystem::rename(draft_, output_, fault);
   if (fault)
     throw Error(ExitCode::file_system,
-                "cannot write " + shown(output_) + " (" + fault.message() + ") choose another place");
+                "cannot write " + shown(output_) + " (" + fault.message() + "); choose another place");
 }
 
 Encoder::~Encoder() {

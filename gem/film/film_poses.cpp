@@ -32,7 +32,7 @@ double counted_on(double from, double to, double spin, double seconds) {
 
 FilmPoses::FilmPoses(const RunFile& file) : file_(file), times_(file.column("floes/time")) {
   const auto refuse = [&](const std::string& why) {
-    throw Error(ExitCode::file_system, "cannot read " + shown(file.path()) + " (" + why + ") the file may be damaged");
+    throw Error(ExitCode::file_system, "cannot read " + shown(file.path()) + " (" + why + "); the file may be damaged");
   };
   if (!std::is_sorted(times_.begin(), times_.end())) refuse("floes/time does not ascend");
   has_platform_ = file.platform_outline().size() >= 3 && file.has("platform/time") && file.rows("platform/time") > 0;

@@ -22,9 +22,9 @@ void check_film_options(const FilmOptions& options, const FilmPoses& poses, doub
   const auto refuse = [](const std::string& text) { throw Error(ExitCode::usage, text); };
   if (!(to > options.from_s))
     refuse("the film would end before it begins (from " + number_text(options.from_s) + " s to " + number_text(to) +
-           " s; the record ends at " + number_text(poses.end()) + " s) choose other times");
+           " s; the record ends at " + number_text(poses.end()) + " s); choose other times");
   if (options.follow && !poses.has_platform())
-    refuse("--follow has no effect on " + shown(options.run_file) + " (it has no platform) leave it out");
+    refuse("--follow has no effect on " + shown(options.run_file) + " (it has no platform); leave it out");
 }
 
 }  // namespace
@@ -33,7 +33,7 @@ std::string make_film(const FilmOptions& options, const std::function<bool()>& s
   const std::string ending = std::filesystem::path(options.output).extension().string();
   if (ending != ".mp4" && ending != ".webm")
     throw Error(ExitCode::usage,
-                "cannot write " + shown(options.output) + " (its ending names no film) allowed are .mp4 and .webm");
+                "cannot write " + shown(options.output) + " (its ending names no film); allowed are .mp4 and .webm");
   check_output_path(options.output, options.overwrite);
   const RunFile file(options.run_file, options.allow_incomplete);
   FilmPoses poses(file);
@@ -44,7 +44,7 @@ std::string make_film(const FilmOptions& options, const std::function<bool()>& s
   const double pictures = std::floor(span / speed * options.frames_per_second) + 1.0;
   if (pictures > pictures_maximum)
     throw Error(ExitCode::usage, "the film would have " + fixed_text(pictures, 0) + " pictures (at most " +
-                                     fixed_text(pictures_maximum, 0) + ") choose a larger --speed");
+                                     fixed_text(pictures_maximum, 0) + "); choose a larger --speed");
   Canvas canvas(options.width, options.height);
   Picture picture(file, poses);
   Encoder encoder(options.output, options.width, options.height, options.frames_per_second);

@@ -131,7 +131,7 @@ Picture::Picture(const RunFile& file, FilmPoses& poses)
   if (outlines_.size() != file.floe_count())
     throw Error(ExitCode::file_system, "cannot read " + shown(file.path()) + " (" + std::to_string(outlines_.size()) +
                                            " outlines for " + std::to_string(file.floe_count()) +
-                                           " floes) the file may be damaged");
+                                           " floes); the file may be damaged");
   for (const std::vector<Vec2>& piece : platform_)
     for (const Vec2 p : piece)
       if (std::isfinite(length(p))) diameter_ = std::max(diameter_, 2.0 * length(p));

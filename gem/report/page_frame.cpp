@@ -109,7 +109,7 @@ void check_page_folder(const std::filesystem::path& folder, const std::string& t
   const std::string text{std::istreambuf_iterator<char>(old), std::istreambuf_iterator<char>()};
   if (text.empty() || text.find("<title>" + title + "</title>") != std::string::npos) return;
   throw Error(ExitCode::usage, page.string() + " exists already (it is not the " + what +
-                                   ") choose another folder with --out, or remove this one");
+                                   "); choose another folder with --out, or remove this one");
 }
 
 void write_page(const std::filesystem::path& folder, const std::string& html) {
@@ -118,7 +118,7 @@ void write_page(const std::filesystem::path& folder, const std::string& html) {
   page.close();
   if (!page)
     throw Error(ExitCode::file_system, "cannot write " + (folder / "index.html").string() +
-                                           " (disk full or no permission) choose another output folder");
+                                           " (disk full or no permission); choose another output folder");
 }
 
 }  // namespace gem

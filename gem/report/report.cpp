@@ -32,10 +32,10 @@ void write_report(const std::string& run_file, const std::string& out_dir, bool 
 void write_report(const RunData& run, const std::string& out_dir, bool allow_incomplete) {
   if (!ended_as_asked(run.identity.status) && !allow_incomplete)
     throw Error(ExitCode::usage, "the run " + run.identity.name + " is not complete (status: " + run.identity.status +
-                                     ") finish it, or ask for a report with --allow-incomplete");
+                                     "); finish it, or ask for a report with --allow-incomplete");
   if (run.at_s && !(*run.at_s >= 0.0 && *run.at_s <= run.duration_s))
     throw Error(ExitCode::usage, "the run " + run.identity.name + " has no time " + time_text(*run.at_s) +
-                                     " (it lasts " + time_text(run.duration_s) + ") choose another --at");
+                                     " (it lasts " + time_text(run.duration_s) + "); choose another --at");
   const std::filesystem::path folder(out_dir);
   check_page_folder(folder, page_title(run.identity.name), "report of " + run.identity.name);
   const PlotFolder plots(folder / "figures", stamp(run.identity));

@@ -42,7 +42,7 @@ CrashMessage::CrashMessage(const std::string& run_file) {
   const std::string file = shown(run_file).substr(0, 2000);
   const std::string message =
       "gem: error: the run crashed (an allocation that failed inside the HDF5 library does this; else it is a fault of "
-      "gem) free memory, mend " +
+      "gem); free memory, mend " +
       file + " with `gem repair`, or go on with `gem run --continue`; report it if it comes again\n";
   text_length = std::min(message.size(), text.size());
   std::copy_n(message.begin(), text_length, text.begin());

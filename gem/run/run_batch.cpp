@@ -70,7 +70,7 @@ class BatchRun {
 
   void fail(std::size_t k, const std::exception& error) {
     const auto* known = dynamic_cast<const Error*>(&error);
-    ends_[k].fault = known ? error.what() : std::string("unexpected (") + error.what() + ") please report this";
+    ends_[k].fault = known ? error.what() : std::string("unexpected (") + error.what() + "); please report this";
     ends_[k].code = known ? known->code() : ExitCode::resource_limit;
     if (runs_[k]) runs_[k]->fail(error);
     runs_[k].reset();

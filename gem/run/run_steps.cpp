@@ -43,7 +43,7 @@ void check_book(const char* what, double residual, double limit, double time) {
   if (residual <= limit) return;
   throw Error(ExitCode::numerical_stop, std::string("the ") + what + " books do not close at " + number_text(time) +
                                             " s (residual " + number_text(residual, 3) + ", limit " +
-                                            number_text(limit) + ") choose a smaller numerics.time_step_s");
+                                            number_text(limit) + "); choose a smaller numerics.time_step_s");
 }
 
 /// Wall time between two checkpoints [s]; 0: none.
@@ -82,7 +82,7 @@ RunSteps::RunSteps(const SceneDef& scene, Engine& engine, const RunOptions& opti
   if (scene.output.contact_forces && !engine.has_contact_forces())
     throw Error(ExitCode::usage, "the engine " + engine.name() +
                                      " cannot record output.contact_forces (it keeps the forces between bodies to "
-                                     "itself) use --engine cpu, or leave the key out");
+                                     "itself); use --engine cpu, or leave the key out");
   case_steps_ = last_step_ = steps_of(scene);
   if (options.step_limit > 0) last_step_ = std::min(last_step_, options.step_limit);
   summary_.frames = 1;

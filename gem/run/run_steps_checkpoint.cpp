@@ -18,7 +18,7 @@ using Clock = std::chrono::steady_clock;
 void RunSteps::go_on_from(const Checkpoint& from) {
   if (!recorder_.fits(from.recorder))
     throw Error(ExitCode::file_system, "cannot go on with " + shown(options_.output) +
-                                           " (its checkpoint has other columns than its case) run the case anew");
+                                           " (its checkpoint has other columns than its case); run the case anew");
   engine_.restore(from.engine);
   recorder_.restore(from.recorder);
   watch_.restore(from.watch);

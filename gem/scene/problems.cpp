@@ -81,12 +81,12 @@ std::string nearest_name(const std::string& name, const std::vector<std::string>
 
 std::string suggestion(const std::string& name, const std::vector<std::string>& candidates) {
   const std::string nearest = nearest_name(name, candidates);
-  return nearest.empty() ? "" : " did you mean `" + nearest + "`?";
+  return nearest.empty() ? "" : "; did you mean `" + nearest + "`?";
 }
 
 std::string suggestion_or_list(const std::string& name, const std::vector<std::string>& candidates) {
   const std::string near = suggestion(name, candidates);
-  return near.empty() ? " `gem case explain` lists all keys" : near;
+  return near.empty() ? "; `gem case explain` lists all keys" : near;
 }
 
 }  // namespace gem

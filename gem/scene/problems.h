@@ -23,10 +23,10 @@ class Problems {
 /// The candidate closest to a mistyped name, or "" if none is close. Candidates may be dotted paths.
 std::string nearest_name(const std::string& name, const std::vector<std::string>& candidates);
 
-/// " did you mean `x`?" or "" if nothing is close.
+/// "; did you mean `x`?" or "" if nothing is close.
 std::string suggestion(const std::string& name, const std::vector<std::string>& candidates);
 
-/// " did you mean `x`?" for a key of a case, or where the keys are listed if nothing is close.
+/// "; did you mean `x`?" for a key of a case, or where the keys are listed if nothing is close.
 std::string suggestion_or_list(const std::string& name, const std::vector<std::string>& candidates);
 
 }  // namespace gem

@@ -28,7 +28,7 @@ void check_replaced(const std::string& out, const std::string& mark, bool overwr
   const bool same = is_page(out, mark);
   if (!overwrite && !same && is_page(out, ""))
     throw Error(ExitCode::file_system,
-                "cannot write " + shown(out) + " (it is the page of another run) use --overwrite or another --out");
+                "cannot write " + shown(out) + " (it is the page of another run); use --overwrite or another --out");
   check_output_path(out, overwrite || same);
 }
 
@@ -50,7 +50,7 @@ void write_page(const std::string& run_file, const std::string& out, bool allow_
   std::remove(draft.c_str());
   throw Error(ExitCode::file_system, "cannot write " + shown(out) + " (" +
                                          (fault ? fault.message() : std::string("disk full or no permission")) +
-                                         ") choose another place with --out");
+                                         "); choose another place with --out");
 }
 
 }  // namespace gem::view

@@ -187,7 +187,7 @@ def check_listed(runs):
     listed = converged_runs.listed()
     found = {row["state_hash"]: row["verdict"] for (name, _), rows in runs.items() if name == "converged" for row in rows}
     if listed != found:
-        sys.exit("runs.csv and status.txt do not list the same runs and verdicts (one is older) run: python3 scripts/studies converged --collect")
+        sys.exit("runs.csv and status.txt do not list the same runs and verdicts (one is older); run: python3 scripts/studies converged --collect")
 
 
 def of_run_1(runs, name):
@@ -242,7 +242,7 @@ def main():
         PAGE.write_text(after, encoding="utf-8")
     elif before != after:
         sys.stdout.writelines(difflib.unified_diff(before.splitlines(True), after.splitlines(True), PAGE.name, "now"))
-        sys.exit(f"{PAGE.name} is out of date (lines with + are new) write it anew: python3 scripts/studies converged GEM_PAPER")
+        sys.exit(f"{PAGE.name} is out of date (lines with + are new); write it anew: python3 scripts/studies converged GEM_PAPER")
 
 
 if __name__ == "__main__":

@@ -170,7 +170,7 @@ def main():
         PAGE.write_text(after, encoding="utf-8")
     elif before != after:
         sys.stdout.writelines(difflib.unified_diff(before.splitlines(True), after.splitlines(True), str(PAGE.name), "now"))
-        sys.exit(f"{PAGE.name} is out of date (lines with + are new) write it anew: python3 scripts/studies guide_numbers GEM")
+        sys.exit(f"{PAGE.name} is out of date (lines with + are new); write it anew: python3 scripts/studies guide_numbers GEM")
 
 
 if __name__ == "__main__":

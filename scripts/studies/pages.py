@@ -35,7 +35,7 @@ def stated(path):
 def program(build, name):
     path = pathlib.Path(build) / name
     if not os.access(path, os.X_OK):
-        sys.exit(f"no {path} (not built) run: cmake --build {build} --target {name}")
+        sys.exit(f"no {path} (not built); run: cmake --build {build} --target {name}")
     return path.resolve()
 
 

@@ -43,7 +43,7 @@ def main():
     for b in result.get("benchmarks", []):
         family, scene = (b["name"].split("/") + [""])[:2]
         if family not in ("feature", "growth"):
-            parser.error(f"{b['name']} (neither feature/... nor growth/...) narrow --filter")
+            parser.error(f"{b['name']} (neither feature/... nor growth/...); narrow --filter")
         floes = int(scene) if family == "growth" else ""
         rows.append((f"{family}/{scene}", floes, b["least_us"], b["real_time"], b["contacts"], b.get("ns_per_floe", ""),
                      b["label"], context["commit"], context["compiler"], (context.get("load_avg") or [""])[0],
@@ -51,7 +51,7 @@ def main():
         if family == "growth":
             grown.append((floes, b["least_us"]))
     if not rows:
-        parser.error(f"--filter {options.filter} (no benchmark has such a name) see gem_bench --benchmark_list_tests")
+        parser.error(f"--filter {options.filter} (no benchmark has such a name); see gem_bench --benchmark_list_tests")
     with open(options.output, "w", newline="", encoding="utf-8") as file:
         writer = csv.writer(file)
         writer.writerow(("scene", "floes", "least_us", "mean_us", "contacts", "ns_per_floe", "state_hash", "commit",

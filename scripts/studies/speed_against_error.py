@@ -207,7 +207,7 @@ def add_conditions(text):
 
 def measure(jobs, *parts):
     if not (ROOT / "build" / "window_errors").exists():
-        sys.exit("no build/window_errors (not built) run: cmake --build build --target gem_measurements")
+        sys.exit("no build/window_errors (not built); run: cmake --build build --target gem_measurements")
     out = ROOT / "runs" / "measurement"
     code = subprocess.run([ROOT / "scripts" / "measure.sh", ROOT / "build", out, jobs, *parts]).returncode
     if code not in (0, 8):

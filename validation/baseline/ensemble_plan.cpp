@@ -14,7 +14,7 @@ void add_line(EnsemblePlan& plan, const std::vector<std::string>& f, const std::
   const auto needs = [&](std::size_t count) {
     if (f.size() != count)
       throw Error(ExitCode::usage, where + ": " + std::to_string(f.size()) + " fields (a line '" + f[0] + "' has " +
-                                       std::to_string(count) + ") see the comments of the file");
+                                       std::to_string(count) + "); see the comments of the file");
   };
   const auto number = [&](std::size_t k) { return number_field(f[k], where); };
   if (f[0] == "part") {
@@ -39,7 +39,7 @@ void add_line(EnsemblePlan& plan, const std::vector<std::string>& f, const std::
     plan.map_margin = number(6);
   } else {
     throw Error(ExitCode::usage,
-                where + ": unknown kind '" + f[0] + "' (part, case, setting, quantity or map) use one");
+                where + ": unknown kind '" + f[0] + "' (part, case, setting, quantity or map); use one");
   }
 }
 
@@ -47,7 +47,8 @@ template <class List, class Of>
 const auto& found(const List& list, const std::string& wanted, Of of, const char* what) {
   const auto at = std::find_if(list.begin(), list.end(), [&](const auto& entry) { return of(entry) == wanted; });
   if (at == list.end())
-    throw Error(ExitCode::usage, std::string("the plan has no ") + what + " '" + wanted + "' (misspelt?) name another");
+    throw Error(ExitCode::usage,
+                std::string("the plan has no ") + what + " '" + wanted + "' (misspelt?); name another");
   return *at;
 }
 
@@ -66,13 +67,13 @@ std::vector<std::string> fields_of(const std::string& line, char separator) {
 
 double number_field(const std::string& field, const std::string& what) {
   const auto value = parse_number(field);
-  if (!value) throw Error(ExitCode::usage, what + ": '" + field + "' is no number (one stands there) correct it");
+  if (!value) throw Error(ExitCode::usage, what + ": '" + field + "' is no number (one stands there); correct it");
   return *value;
 }
 
 EnsemblePlan read_plan(const std::string& path) {
   std::ifstream file(path);
-  if (!file) throw Error(ExitCode::file_system, "cannot read " + path + " (it does not open) name a plan");
+  if (!file) throw Error(ExitCode::file_system, "cannot read " + path + " (it does not open); name a plan");
   EnsemblePlan plan;
   int number = 0;
   for (std::string line; std::getline(file, line);) {
@@ -81,7 +82,7 @@ EnsemblePlan read_plan(const std::string& path) {
     add_line(plan, fields_of(line, '|'), path + ":" + std::to_string(number));
   }
   if (plan.cases.empty() || plan.settings.empty() || plan.quantities.empty())
-    throw Error(ExitCode::usage, path + " is no plan (it lacks a case, a setting or a quantity) add them");
+    throw Error(ExitCode::usage, path + " is no plan (it lacks a case, a setting or a quantity); add them");
   for (const PlannedSetting& setting : plan.settings)
     for (const std::string& name : plan.part_of(setting).cases) plan.case_named(name);
   return plan;

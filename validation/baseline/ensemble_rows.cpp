@@ -39,7 +39,7 @@ class MemberFile {
     platform_ = span_of(time, chosen);
     if (platform_.last < platform_.first + 200 || time.back() < chosen.to_s - 1.0)
       throw Error(ExitCode::usage, path + ": ends at " + number_text(time.empty() ? 0.0 : time.back(), 6) +
-                                       " s (judged until " + number_text(chosen.to_s) + " s) run it to its end");
+                                       " s (judged until " + number_text(chosen.to_s) + " s); run it to its end");
     interval_ = time[1] - time[0];
   }
 
@@ -66,7 +66,7 @@ class MemberFile {
     const auto outlines = file_.floe_outlines();
     std::vector<double> mean(grid.columns * grid.rows, 0.0);
     if (frames.first == frames.last)
-      throw Error(ExitCode::usage, file_.path() + ": no frame of the floes in the judged time (too rare) write more");
+      throw Error(ExitCode::usage, file_.path() + ": no frame of the floes in the judged time (too rare); write more");
     for (std::size_t k = frames.first; k < frames.last; ++k) {
       const FrameView frame = file_.frame(k);
       std::vector<PlacedFloe> floes;

@@ -37,7 +37,7 @@ constexpr const char* map_head = "case,setting,seed,column,row,share\n";
 
 std::ofstream created(const std::string& path) {
   std::ofstream file(path);
-  if (!file) throw Error(ExitCode::file_system, "cannot write " + path + " (it does not open) name another place");
+  if (!file) throw Error(ExitCode::file_system, "cannot write " + path + " (it does not open); name another place");
   return file;
 }
 
@@ -94,12 +94,12 @@ std::vector<Texts> table_in(const std::string& path, const std::string& head) {
   std::string line;
   if (!file || !std::getline(file, line) || line + "\n" != head)
     throw Error(ExitCode::usage, path + " is no such table (its first line is not '" + head.substr(0, head.size() - 1) +
-                                     "') name what scripts/ensembles.sh wrote");
+                                     "'); name what scripts/ensembles.sh wrote");
   std::vector<Texts> lines;
   while (std::getline(file, line)) {
     lines.push_back(fields_of(line, ','));
     if (lines.back().size() != 6)
-      throw Error(ExitCode::usage, path + ": '" + line + "' has not 6 fields (cut off?) run the member again");
+      throw Error(ExitCode::usage, path + ": '" + line + "' has not 6 fields (cut off?); run the member again");
   }
   return lines;
 }
@@ -196,7 +196,7 @@ int run(const Texts& arguments) {
   if (with("touches", 4)) return touches(rest);
   if (with("compare", 5)) return compare_all(rest);
   throw Error(ExitCode::usage,
-              "no such command (members, rows, touches or compare with their files) see the head of the source");
+              "no such command (members, rows, touches or compare with their files); see the head of the source");
 }
 
 }  // namespace

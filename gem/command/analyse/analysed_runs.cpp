@@ -36,7 +36,7 @@ void check_exposure(const std::vector<AnalysedRun>& runs) {
     if (std::abs(run.duration_s - runs.front().duration_s) > 1e-3 * runs.front().duration_s)
       throw Error(ExitCode::usage, shown(run.path) + ": lasts " + seconds_text(run.duration_s) + ", the first run " +
                                        seconds_text(runs.front().duration_s) +
-                                       " (the largest value grows with the duration) analyse runs of one length");
+                                       " (the largest value grows with the duration); analyse runs of one length");
 }
 
 /// What defines the condition of a run: its case without name, length, start state and output, one line per option, and
@@ -68,7 +68,7 @@ void check_condition(const std::vector<AnalysedRun>& runs) {
     if (a == first.end() && b == other.end()) continue;
     throw Error(ExitCode::usage, shown(run.path) + ": not the same condition as " + shown(runs.front().path) + " (" +
                                      (b == other.end() ? "less" : *b) + "; there " + (a == first.end() ? "less" : *a) +
-                                     ") analyse runs that differ only in seed or start");
+                                     "); analyse runs that differ only in seed or start");
   }
 }
 
@@ -90,7 +90,7 @@ void check_different(const std::vector<AnalysedRun>& runs) {
       if (same_run(runs[i], runs[j]))
         throw Error(ExitCode::usage, shown(runs[i].path) + ": the same run as " + shown(runs[j].path) + " (" +
                                          hash_clause(runs[i]) +
-                                         "several runs count as independent) give each run once");
+                                         "several runs count as independent); give each run once");
 }
 
 /// The largest tension of each mooring line from sample `first` on.
@@ -111,7 +111,7 @@ std::vector<LineFinding> line_findings(const RunData& data, std::size_t first) {
 [[noreturn]] void refuse_too_short(const std::string& path, std::size_t least, const char* rows, double from_s) {
   throw Error(ExitCode::usage, shown(path) + ": too short to analyse (fewer than " + std::to_string(least) + " " +
                                    rows + " after --from " + number_text(from_s) +
-                                   " s) choose an earlier start or a longer run");
+                                   " s); choose an earlier start or a longer run");
 }
 
 /// What a run without a platform has: the forces on `[[fixed]]` bodies.
@@ -120,7 +120,7 @@ AnalysedRun without_platform(const std::string& path, const RunData& data, doubl
   if (time.empty())
     throw Error(ExitCode::usage, shown(path) +
                                      ": nothing to analyse (it has no samples of a platform: the case has none, or " +
-                                     "the run ended before the first; nor has it the forces on [[fixed]] bodies) run "
+                                     "the run ended before the first; nor has it the forces on [[fixed]] bodies); run "
                                      "the case with output.contact_forces = true for those; `gem report` shows the "
                                      "ice");
   std::vector<Finding> findings = fixed_findings(data.on_fixed, from_s);

@@ -42,7 +42,8 @@ void take_ice(const CaseChoice& choice, const FloesDef& theirs, SceneDef& scene)
   std::string different;
   const auto take = [&](const char* key, auto FloesDef::*member, bool is_same) {
     if (is_set(choice, key))
-      refuse(choice.from, std::string("--set ") + key + " has no effect", "(the floes come from the run) leave it out");
+      refuse(choice.from, std::string("--set ") + key + " has no effect",
+             "(the floes come from the run); leave it out");
     if (!is_same) different += (different.empty() ? "" : ", ") + std::string(key);
     scene.floes.*member = theirs.*member;
   };
@@ -92,7 +93,7 @@ SceneDef begun_from(const CaseChoice& choice, SceneDef scene) {
   if (choice.from.empty()) return named_floes(std::move(scene));
   for (const char* key : {"floes.source", "floes.path", "floes.time_s", "floes.sha256"})
     if (is_set(choice, key))
-      refuse(choice.from, std::string("so does --set ") + key, "(both choose floes) give only one");
+      refuse(choice.from, std::string("so does --set ") + key, "(both choose floes); give only one");
   From from = from_of(choice.from);
   tried_in_child({{from.path}}, [&] {
     floes_of_run_file(from.path, from.time);

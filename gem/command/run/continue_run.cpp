@@ -22,7 +22,7 @@ std::int64_t limit_of(const RunChoice& choice, const Resumable& run) {
   if (seconds > now && seconds <= run.scene.run.duration_s) return std::llround(seconds / dt);
   throw Error(ExitCode::usage, "--until " + choice.until + " is not a time to go on to (allowed above " +
                                    number_text(now, 10) + ", the time of the checkpoint, up to " +
-                                   number_text(run.scene.run.duration_s) + ", the end of the case) choose another");
+                                   number_text(run.scene.run.duration_s) + ", the end of the case); choose another");
 }
 
 /// Without --engine: cuda or cpu, which have the same bits, or the engine that the run had.
@@ -32,7 +32,7 @@ void choose_engine(RunChoice& choice, const Resumable& run, RunLog& log) {
   if (choice.engine_option->count() == 0 && before == "reference") engine = before;
   if (is_baseline(engine))
     throw Error(ExitCode::usage,
-                "the engine " + engine + " cannot go on with a run (it keeps no checkpoints) choose another engine");
+                "the engine " + engine + " cannot go on with a run (it keeps no checkpoints); choose another engine");
   if ((engine == "reference") != (before == "reference"))
     log.message("warning", "the run had the engine " + before + ", and goes on with " + engine +
                                ": its bits are no longer those of one engine");

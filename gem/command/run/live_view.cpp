@@ -48,7 +48,7 @@ LiveView::LiveView(const std::string& run_file, bool open_browser, RunLog& log) 
     stop_server();
     throw Error(ExitCode::device,
                 "the page of the run cannot be served (no server began, or the program was built "
-                "without libcpp-httplib-dev) leave out --view");
+                "without libcpp-httplib-dev); leave out --view");
   }
   const std::string address = view::Gate(token, control_->port).address();
   log.message("info", "the run is shown at " + address);

@@ -83,13 +83,13 @@ Estimate estimate(const SceneDef& scene, bool checkpoints) {
 void check_resources(const Estimate& need, const std::string& output) {
   if (need.memory > available_memory()) {
     throw Error(ExitCode::resource_limit, "the run needs about " + size_text(need.memory) + " of memory (" +
-                                              size_text(available_memory()) + " are free) use fewer floes or --force");
+                                              size_text(available_memory()) + " are free); use fewer floes or --force");
   }
   const double room = double(room_at(output));
   if (need.disk > room) {
     throw Error(ExitCode::resource_limit,
                 "the run file and its checkpoints need about " + size_text(need.disk) + " (" + size_text(room) +
-                    " are free at " + shown(output) + ") raise output." +
+                    " are free at " + shown(output) + "); raise output." +
                     (need.platform_disk > 0.5 * need.disk ? "platform" : "floes") + "_interval_s, " +
                     (need.checkpoint_disk > 0.0 ? "keep no checkpoints (--checkpoint-every 0), " : "") +
                     "choose another --out, or use --force");
@@ -116,7 +116,8 @@ int choose_threads(const std::string& asked, std::string& message) {
   int threads = 0;
   const auto [end, fault] = std::from_chars(text.data(), text.data() + text.size(), threads);
   if (fault == std::errc::invalid_argument || end != text.data() + text.size()) {
-    if (from_option) throw Error(ExitCode::usage, what + " is not a whole number (1 or more) give a number of threads");
+    if (from_option)
+      throw Error(ExitCode::usage, what + " is not a whole number (1 or more); give a number of threads");
     message = what + " is not a whole number, using " + std::to_string(machine);
     return machine;
   }
@@ -124,7 +125,7 @@ int choose_threads(const std::string& asked, std::string& message) {
   if (fault == std::errc::result_out_of_range) threads = text.front() == '-' ? 0 : limit + 1;
   if (from_option && threads < 1)
     throw Error(ExitCode::usage,
-                what + " is not a number of threads (it must be 1 or more) leave it out to use all processors");
+                what + " is not a number of threads (it must be 1 or more); leave it out to use all processors");
   if (threads >= 1 && threads <= limit) return threads;
   const int used = threads < 1 ? machine : limit;
   message = what + " is out of range (1 to " + std::to_string(limit) + " here), using " + std::to_string(used);

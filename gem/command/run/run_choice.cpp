@@ -38,13 +38,13 @@ int run_and_print(const SceneDef& scene, Engine& engine, RunChoice& choice, RunL
   const bool has_floes = engine.bodies().count() > first_floe(engine.bodies());
   if (scene.platform.present && has_floes && summary.loaded_steps == 0 && summary.status == "complete")
     log.message("warning",
-                "no ice touched the platform in the whole run (it drifts past or away, or needs longer) see "
+                "no ice touched the platform in the whole run (it drifts past or away, or needs longer); see "
                 "where it goes: gem view " +
                     shown(summary.file));
   if (choice.live) choice.live->end(log);
   if (summary.verdict.grade == Grade::bad) {
     const std::string text = "the run " + scene.run.name + " is bad (" +
-                             criteria_of_grade(summary.verdict, Grade::bad) + ") see its verdict: gem info " +
+                             criteria_of_grade(summary.verdict, Grade::bad) + "); see its verdict: gem info " +
                              shown(summary.file);
     if (choice.strict && summary.stop_signal == 0) throw Error(ExitCode::numerical_stop, text);
     log.message("warning", text);

@@ -26,10 +26,10 @@ void check_engine_options(const RunChoice& choice) {
   for (const CLI::Option* option : choice.baseline_options)
     if (option->count() > 0 && !is_baseline(engine))
       throw Error(ExitCode::usage, option->get_name() + " has no effect on the engine " + engine + " (it is for " +
-                                       baseline_names().front() + ") leave it out");
+                                       baseline_names().front() + "); leave it out");
   if (engine == "cpu" || engine == "auto" || choice.threads.empty() || choice.threads == "1") return;
   throw Error(ExitCode::usage, "--threads " + choice.threads + " has no effect on the engine " + engine +
-                                   " (only the engine cpu uses threads) leave it out");
+                                   " (only the engine cpu uses threads); leave it out");
 }
 
 /// The built-in case takes long: it runs only for somebody who changes it or says how far.
@@ -39,7 +39,7 @@ void check_case_is_named(const RunChoice& choice) {
     return;
   throw Error(
       ExitCode::usage,
-      "no case (gem run computes the case of a file) name one, e.g. gem run cases/first.toml; the built-in case "
+      "no case (gem run computes the case of a file); name one, e.g. gem run cases/first.toml; the built-in case "
       "runs with --until or --set, e.g. gem run --until 10min");
 }
 
@@ -51,7 +51,7 @@ SceneDef case_until(RunChoice& choice) {
   for (const std::string& text : choice.chosen_case.overrides)
     if (find_path(parse_override(text), "run.duration_s") != nullptr)
       throw Error(ExitCode::usage, "--until " + choice.until + " and --set " + text +
-                                       " both set the end of the run (one would be ignored) give only one");
+                                       " both set the end of the run (one would be ignored); give only one");
   CaseChoice moved = choice.chosen_case;
   moved.overrides.push_back("--until run.duration_s=" +
                             (parse_number(choice.until) ? choice.until : number_text(seconds)));

@@ -44,7 +44,7 @@ void ProcessPool::start(std::size_t job, const std::function<void()>& work) {
   sigprocmask(SIG_SETMASK, &former, nullptr);
   if (process < 0)
     throw Error(ExitCode::resource_limit, "cannot start a process (" + std::generic_category().message(fault) +
-                                              ") use fewer --jobs or raise the limit of processes");
+                                              "); use fewer --jobs or raise the limit of processes");
   job_[process] = job;
 }
 

@@ -130,7 +130,7 @@ std::vector<SweepRow> done_rows(const SweepCollectChoice& choice) {
   std::vector<SweepRow> rows = read_manifest(choice.folder);
   if (rows.empty())
     throw Error(ExitCode::file_system, shown(choice.folder) +
-                                           " is not the folder of a sweep (it has no manifest.json) name the "
+                                           " is not the folder of a sweep (it has no manifest.json); name the "
                                            "--out folder of `gem sweep run`");
   std::vector<SweepRow> meant;
   for (const std::size_t place : parse_index_list(choice.index, rows.size())) meant.push_back(rows[place]);
@@ -144,7 +144,7 @@ std::vector<SweepRow> done_rows(const SweepCollectChoice& choice) {
   if (rows.empty() || (rows.size() < all && !choice.partial))
     throw Error(ExitCode::file_system, shown(choice.folder) + " holds " + std::to_string(rows.size()) +
                                            " done runs of " + std::to_string(all) + " (" + first_open +
-                                           ") finish them with `gem sweep run`" +
+                                           "); finish them with `gem sweep run`" +
                                            (rows.empty() ? "" : " or collect with --partial"));
   return rows;
 }
@@ -216,17 +216,18 @@ PlatformPath kept_path(const std::string& file, const SweepCollectChoice& choice
 void check(const SweepCollectChoice& choice) {
   if (!(choice.from_s >= 0.0))
     throw Error(ExitCode::usage,
-                "--from " + number_text(choice.from_s) + " is not a valid time (it must be 0 s or more) correct it");
+                "--from " + number_text(choice.from_s) + " is not a valid time (it must be 0 s or more); correct it");
   if (!(choice.interval_s >= 0.0))
-    throw Error(ExitCode::usage, "--series " + number_text(choice.interval_s) +
-                                     " is not a valid interval (it must be 0 s or more; 0 keeps no series) correct it");
+    throw Error(ExitCode::usage,
+                "--series " + number_text(choice.interval_s) +
+                    " is not a valid interval (it must be 0 s or more; 0 keeps no series); correct it");
   if (choice.exact && choice.interval_s == 0.0)
-    throw Error(ExitCode::usage, "--exact has no effect (--series 0 keeps no displacement) leave one of them out");
+    throw Error(ExitCode::usage, "--exact has no effect (--series 0 keeps no displacement); leave one of them out");
   check_output_path(choice.output, choice.overwrite);
   check_replaceable(choice.output);
   if (is_run_file(choice.output) && !is_summary(choice.output))
     throw Error(ExitCode::file_system, "cannot write " + shown(choice.output) +
-                                           " (it is a run file, and a summary would replace it) choose another --out");
+                                           " (it is a run file, and a summary would replace it); choose another --out");
 }
 
 /// A series cannot be collected at a shorter interval than the run was recorded at.
@@ -239,7 +240,7 @@ void check_intervals(const SweepCollectChoice& choice, const std::vector<SweepRo
     if (choice.interval_s < sampled_s * (1.0 - kRounding))
       throw Error(ExitCode::usage, "--series " + number_text(choice.interval_s) + " is too short (" + shown(row.name) +
                                        " was recorded every " + number_text(sampled_s) +
-                                       " s, see output.platform_interval_s) give at least that, or 0 for no series");
+                                       " s, see output.platform_interval_s); give at least that, or 0 for no series");
   }
 }
 

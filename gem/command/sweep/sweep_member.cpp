@@ -91,9 +91,9 @@ Outcome failure_now(SweepRow& row, SweepBoard::Entry& entry) {
   } catch (const Error& fault) {
     return failure(row, entry, fault.what(), fault.code());
   } catch (const std::bad_alloc&) {
-    return failure(row, entry, "out of memory (an allocation failed) use fewer --jobs", ExitCode::resource_limit);
+    return failure(row, entry, "out of memory (an allocation failed); use fewer --jobs", ExitCode::resource_limit);
   } catch (const std::exception& fault) {
-    return failure(row, entry, std::string("unexpected (") + fault.what() + ") please report this",
+    return failure(row, entry, std::string("unexpected (") + fault.what() + "); please report this",
                    ExitCode::resource_limit);
   }
 }

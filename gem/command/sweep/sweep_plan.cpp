@@ -31,7 +31,7 @@ void check_files(const std::vector<SweepMember>& members) {
     const auto [entry, is_new] = owner.insert({run_file_name(member.name), member.name});
     if (!is_new)
       throw Error(ExitCode::usage, "two runs would write one file (" + shown(entry->second) + " and " +
-                                       shown(member.name) + " to " + shown(entry->first) + ") change a name");
+                                       shown(member.name) + " to " + shown(entry->first) + "); change a name");
   }
 }
 
@@ -39,7 +39,7 @@ int choose_jobs(const std::string& asked) {
   int jobs = 0;
   const auto [end, fault] = std::from_chars(asked.data(), asked.data() + asked.size(), jobs);
   if (fault != std::errc{} || end != asked.data() + asked.size() || jobs < 1 || jobs > 4096)
-    throw Error(ExitCode::usage, "--jobs " + asked + " is not a number of processes (1 to 4096) correct it");
+    throw Error(ExitCode::usage, "--jobs " + asked + " is not a number of processes (1 to 4096); correct it");
   return jobs;
 }
 
@@ -105,7 +105,7 @@ void choose_what_to_do(const SweepRunChoice& choice, SweepPlan& plan) {
       throw Error(ExitCode::file_system,
                   shown(run_path(choice.folder, row.name)) + " does not belong to this sweep (" + row.error +
                       case_difference(run_path(choice.folder, row.name), plan.members[plan.chosen[i]].scene) +
-                      ") use --overwrite or another --out");
+                      "); use --overwrite or another --out");
     if (row.status != "done" || choice.overwrite) plan.to_do.push_back(i);
   }
 }
@@ -139,7 +139,7 @@ void group(SweepPlan& plan) {
   const std::string& engine = plan.settings.engine.name;
   if (engine == "cuda" || engine == "auto") plan.devices = gpus_that_answer();
   if (engine == "cuda" && plan.devices.empty())
-    throw Error(ExitCode::device, "no GPU answers (`gem devices` says why) use --engine cpu");
+    throw Error(ExitCode::device, "no GPU answers (`gem devices` says why); use --engine cpu");
   std::vector<std::int64_t> steps;
   for (const std::size_t place : plan.to_do) steps.push_back(steps_of(plan.members[plan.chosen[place]].scene));
   plan.batches = share_runs(steps, plan.devices.size());

@@ -130,9 +130,10 @@ class SweepRun {
   static std::string lost_by(ProcessEnd end) {
     if (end.signal == 0)
       return "its process ended before the run did (exit code " + std::to_string(end.exit_code) +
-             ") please report this";
+             "); please report this";
     return "its process was killed by signal " + std::to_string(end.signal) +
-           (end.signal == SIGKILL ? " (by a user, or because memory ran out) use fewer --jobs" : " please report this");
+           (end.signal == SIGKILL ? " (by a user, or because memory ran out); use fewer --jobs"
+                                  : "; please report this");
   }
 
   void note_lost(std::size_t job, ProcessEnd end) {
@@ -236,7 +237,7 @@ void refuse_bad(const std::vector<SweepRow>& rows, const std::string& folder) {
   if (bad == 0) return;
   throw Error(ExitCode::numerical_stop, std::to_string(bad) + " of " + std::to_string(rows.size()) +
                                             (rows.size() == 1 ? " run is" : " runs are") +
-                                            " bad (by the verdict) see gem sweep status " + shown(folder) +
+                                            " bad (by the verdict); see gem sweep status " + shown(folder) +
                                             ", and gem info of each for the reasons");
 }
 
@@ -245,7 +246,7 @@ void make_folder(const std::string& folder) {
   std::filesystem::create_directories(folder, fault);
   if (fault)
     throw Error(ExitCode::file_system,
-                "cannot make the folder " + shown(folder) + " (" + fault.message() + ") choose another --out");
+                "cannot make the folder " + shown(folder) + " (" + fault.message() + "); choose another --out");
   check_output_path(folder + "/manifest.json", true);
 }
 

@@ -41,7 +41,7 @@ std::vector<Finding> measured(const std::string& path, double from_s) {
   if (data.platform.time.size() < first + kSamplesForStatistics)
     throw Error(ExitCode::usage, shown(path) + ": too short to analyse (fewer than " +
                                      std::to_string(kSamplesForStatistics) + " platform samples after --from " +
-                                     number_text(from_s) + " s) choose an earlier start or longer runs");
+                                     number_text(from_s) + " s); choose an earlier start or longer runs");
   const PlatformSeries series = platform_series(data, first);
   std::vector<Finding> findings = platform_findings(data, first);
   findings.push_back({"ice_sample_largest_N", sample_largest(series), {}});
@@ -88,7 +88,7 @@ std::vector<SweepRow> drawn_rows(const std::string& folder) {
   std::vector<SweepRow> rows = read_manifest(folder);
   if (rows.empty())
     throw Error(ExitCode::file_system, shown(folder) +
-                                           " is not the folder of a sweep (it has no manifest.json) name "
+                                           " is not the folder of a sweep (it has no manifest.json); name "
                                            "the --out folder of `gem sweep run`");
   std::erase_if(rows, [](const SweepRow& row) { return row.draw.draw == 0; });
   if (rows.empty())
@@ -103,7 +103,7 @@ std::vector<SweepRow> drawn_rows(const std::string& folder) {
   if (other != rows.end())
     throw Error(ExitCode::usage, shown(folder) + " holds two sweeps (" + shown(other->name) +
                                      " draws other inputs than " + shown(rows.front().name) +
-                                     ") run each into a folder of its own");
+                                     "); run each into a folder of its own");
   return rows;
 }
 
@@ -130,7 +130,7 @@ SensitivityPage study_of(const SweepSensitivityChoice& choice) {
   if (done == 0 || (done < rows.size() && !choice.partial))
     throw Error(ExitCode::file_system, shown(choice.folder) + " holds " + std::to_string(done) + " done runs of " +
                                            std::to_string(rows.size()) +
-                                           " (the others would be left out) finish them "
+                                           " (the others would be left out); finish them "
                                            "with `gem sweep run`" +
                                            (done == 0 ? "" : " or use --partial"));
   page.effects = study_effects(page.study);
@@ -198,7 +198,7 @@ std::string page_folder(const SweepSensitivityChoice& choice) {
 int sweep_sensitivity(const SweepSensitivityChoice& choice) {
   if (!(choice.from_s >= 0.0))
     throw Error(ExitCode::usage,
-                "--from " + number_text(choice.from_s) + " is not a valid time (it must be 0 s or more) correct it");
+                "--from " + number_text(choice.from_s) + " is not a valid time (it must be 0 s or more); correct it");
   if (!choice.table.empty()) check_output_path(choice.table, false);
   const SensitivityPage page = study_of(choice);
   const std::string out = page_folder(choice);

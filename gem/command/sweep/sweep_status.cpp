@@ -20,7 +20,7 @@ std::vector<SweepRow> rows_of(const SweepStatusChoice& choice, const std::string
   std::vector<SweepRow> rows = read_manifest(folder);
   if (rows.empty())
     throw Error(ExitCode::file_system, shown(folder) +
-                                           " is not the folder of a sweep (it has no manifest.json) name the sweep "
+                                           " is not the folder of a sweep (it has no manifest.json); name the sweep "
                                            "file and its folder with --out");
   return rows;
 }
@@ -72,7 +72,7 @@ int sweep_status(const SweepStatusChoice& choice) {
                                      "give it with --out");
   if (is_folder && !choice.folder.empty())
     throw Error(ExitCode::usage, "two folders (" + shown(choice.path) + " and " + shown(choice.folder) +
-                                     ") leave out --out or name the sweep file");
+                                     "); leave out --out or name the sweep file");
   const std::string folder = is_folder ? choice.path : choice.folder;
   std::vector<SweepRow> rows = rows_of(choice, folder);
   for (SweepRow& row : rows) row = look_at_run(folder, row);

@@ -18,7 +18,7 @@ ThreadTeam::ThreadTeam(int threads) : size_(threads) {
   } catch (const std::system_error& error) {
     close();
     throw Error(ExitCode::resource_limit, "cannot start " + std::to_string(size_) + " threads (" + error.what() +
-                                              ") ask for fewer with --threads, or run fewer programs at once");
+                                              "); ask for fewer with --threads, or run fewer programs at once");
   } catch (...) {
     close();
     throw;

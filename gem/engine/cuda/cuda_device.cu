@@ -62,7 +62,7 @@ CudaDevice usable_cuda_device() {
     if (device.fault.empty()) return device;
     reason = device.name + ": " + device.fault;
   }
-  throw Error(ExitCode::device, "no GPU can be used (" + reason + ") use --engine cpu");
+  throw Error(ExitCode::device, "no GPU can be used (" + reason + "); use --engine cpu");
 }
 
 }  // namespace gem

@@ -20,14 +20,14 @@ CudaDevice chosen_device(int index) {
   std::string reason;
   for (CudaDevice& device : cuda_devices(reason))
     if (device.index == index && device.fault.empty()) return device;
-  throw Error(ExitCode::device, "GPU " + std::to_string(index) + " cannot be used (see gem devices) use another");
+  throw Error(ExitCode::device, "GPU " + std::to_string(index) + " cannot be used (see gem devices); use another");
 }
 
 int chosen_threads(int threads) {
   if (threads == 0) return most_threads;
   if (threads < 32 || threads > most_threads || threads % 32 != 0)
     throw Error(ExitCode::usage, "a block cannot have " + std::to_string(threads) + " threads (allowed 32 to " +
-                                     std::to_string(most_threads) + ", a multiple of 32) choose another number");
+                                     std::to_string(most_threads) + ", a multiple of 32); choose another number");
   return threads;
 }
 
@@ -147,7 +147,7 @@ class CudaBatch::Work {
     if (splitting && !phases_.can_solve())
       throw Error(ExitCode::device,
                   "the GPU cannot run numerics.iteration = \"splitting\" (it lacks clusters of blocks, or shared "
-                  "memory) use --engine cpu, or \"gradient\"");
+                  "memory); use --engine cpu, or \"gradient\"");
     const bool phases = splitting || takes_phases_route(active);
     if (phases)
       advance_phases(active, ahead);
@@ -308,7 +308,7 @@ class CudaBatch::Work {
     if (status.stop == DeviceStop::solver_full)
       throw Error(ExitCode::resource_limit,
                   "the islands of contacts are too large for the memory that the GPU has set aside for them (floes "
-                  "touch very many others) use --engine cpu, or numerics.iteration = \"gradient\"");
+                  "touch very many others); use --engine cpu, or numerics.iteration = \"gradient\"");
     if (status.stop != DeviceStop::not_finite) return;
     ahead.most = 0;
     scene.bodies();

@@ -17,7 +17,7 @@ inline void check_cuda(cudaError_t result, const char* what) {
   if (result == cudaSuccess) return;
   cudaGetLastError();  // clears the error for the next call
   throw Error(ExitCode::device, std::string("the GPU call failed: cannot ") + what + " (" + cudaGetErrorString(result) +
-                                    ") see gem devices, or use --engine cpu");
+                                    "); see gem devices, or use --engine cpu");
 }
 
 inline std::string megabytes(std::size_t bytes) { return fixed_text(static_cast<double>(bytes) / 1e6, 1) + " MB"; }
@@ -34,7 +34,7 @@ class DeviceMemory {
       cudaMemGetInfo(&free, &total);
       throw Error(ExitCode::resource_limit, "the GPU's memory is too small (" + megabytes(bytes) +
                                                 " more are needed, " + megabytes(free) + " of " + megabytes(total) +
-                                                " are free) use fewer scenes or floes, or --engine cpu");
+                                                " are free); use fewer scenes or floes, or --engine cpu");
     }
     check_cuda(result, "allocate memory");
   }

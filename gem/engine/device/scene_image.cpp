@@ -108,7 +108,7 @@ void check_device_steps(std::int64_t steps) {
   if (steps > device_steps_maximum)
     throw Error(ExitCode::usage, "the run is too long for engine cuda (" + std::to_string(steps) +
                                      " time steps, allowed at most " + std::to_string(device_steps_maximum) +
-                                     ") use --engine cpu, or a longer time step");
+                                     "); use --engine cpu, or a longer time step");
 }
 
 void write_drives(const DriveSchedule& drives, std::int64_t first, std::int64_t steps, Drive* to) {
@@ -203,7 +203,7 @@ std::vector<StepForce> forces_of_call(const DeviceScene& rings, const DeviceStat
   if (status.forces > rings.forces_capacity)
     throw Error(ExitCode::device, "the GPU lost forces between bodies (" + std::to_string(status.forces) +
                                       ", room for " + std::to_string(rings.forces_capacity) +
-                                      ") please report this, and use --engine cpu");
+                                      "); please report this, and use --engine cpu");
   std::vector<StepForce> forces(rings.force, rings.force + status.forces);
   std::sort(forces.begin(), forces.end(), [](const StepForce& p, const StepForce& q) {
     return std::tie(p.step, p.force.a, p.force.b) < std::tie(q.step, q.force.a, q.force.b);

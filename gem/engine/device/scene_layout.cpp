@@ -47,9 +47,11 @@ void place_islands(DeviceScene& s, const SceneSizes& sizes, Placer& placer) {
   IslandMemory& m = s.island;
   const std::size_t n = sizes.bodies, points = s.points_capacity, records = s.push_capacity;
   const auto halvings = static_cast<std::size_t>(std::bit_width(n + 1));
-  const std::size_t slots = slots_of_body * n * halvings, numbers = numbers_of_body * n * halvings;
-  m.slots_capacity = static_cast<std::int32_t>(std::min<std::size_t>(slots, std::numeric_limits<std::int32_t>::max()));
-  m.numbers_capacity = std::min<std::size_t>(numbers, std::numeric_limits<std::int32_t>::max());
+  constexpr std::size_t most = std::numeric_limits<std::int32_t>::max();
+  const std::size_t slots = std::min(slots_of_body * n * halvings, most);
+  const std::size_t numbers = std::min(numbers_of_body * n * halvings, most);
+  m.slots_capacity = static_cast<std::int32_t>(slots);
+  m.numbers_capacity = numbers;
   placer.place(m.counters, 1);
   placer.place(m.cell, most_island_groups);
   for (std::int32_t** array :

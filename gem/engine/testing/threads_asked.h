@@ -18,7 +18,7 @@ inline int threads_in(const char* text, int otherwise) {
   int threads = 0;
   const auto [end, fault] = std::from_chars(word.data(), word.data() + word.size(), threads);
   if (fault != std::errc{} || end != word.data() + word.size() || threads < 1)
-    throw Error(ExitCode::usage, "GEM_THREADS is no number of threads (value '" + word + "') name a number above 0");
+    throw Error(ExitCode::usage, "GEM_THREADS is no number of threads (value '" + word + "'); name a number above 0");
   return threads;
 }
 

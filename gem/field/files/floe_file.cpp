@@ -26,14 +26,14 @@ std::string read_floes_text(const std::string& path) {
   std::ifstream file(path, std::ios::binary);
   if (!file.is_open() || std::filesystem::is_directory(path, ignored))
     throw Error(ExitCode::file_system,
-                path + ": cannot read the floes (missing, a folder or no permission) check the path");
+                path + ": cannot read the floes (missing, a folder or no permission); check the path");
   std::string text;
   std::array<char, 65536> block{};
   while (text.size() <= floe_bytes_maximum && (file.read(block.data(), block.size()), file.gcount() > 0))
     text.append(block.data(), static_cast<std::size_t>(file.gcount()));
   if (text.size() > floe_bytes_maximum)
     refuse_floe(path,
-                "the file is too large (allowed " + std::to_string(floe_bytes_maximum) + " bytes) use fewer floes");
+                "the file is too large (allowed " + std::to_string(floe_bytes_maximum) + " bytes); use fewer floes");
   return text;
 }
 
@@ -54,7 +54,7 @@ double number_of(const std::string& field, const std::string& where, const char*
   const auto [end, error] = std::from_chars(field.data(), field.data() + field.size(), value);
   if (error != std::errc() || end != field.data() + field.size() || !std::isfinite(value))
     refuse_floe(where, std::string(column) + " \"" + shortened(field) +
-                           "\" is not a finite number (a decimal point is needed, no unit) correct it");
+                           "\" is not a finite number (a decimal point is needed, no unit); correct it");
   return value;
 }
 
@@ -76,7 +76,7 @@ class CsvReader {
         read_row(fields);
       }
     }
-    if (columns_ == 0) refuse_floe(path_, "no header line (the file is empty) write floe,x,y or floe,x,y,thickness");
+    if (columns_ == 0) refuse_floe(path_, "no header line (the file is empty); write floe,x,y or floe,x,y,thickness");
     return floes_;
   }
 
@@ -88,15 +88,15 @@ class CsvReader {
     const std::vector<std::string> plain = {"floe", "x", "y"};
     const std::vector<std::string> thick = {"floe", "x", "y", "thickness"};
     if (fields != plain && fields != thick)
-      refuse_floe(where(), "unknown header (the columns are floe,x,y or floe,x,y,thickness) correct the first line");
+      refuse_floe(where(), "unknown header (the columns are floe,x,y or floe,x,y,thickness); correct the first line");
     columns_ = fields.size();
   }
 
   void read_row(const std::vector<std::string>& fields) {
     if (fields.size() != columns_)
       refuse_floe(where(), std::to_string(fields.size()) + " fields (the header has " + std::to_string(columns_) +
-                               ") correct the row");
-    if (fields[0].empty()) refuse_floe(where(), "no floe name (the first column is empty) number the floes");
+                               "); correct the row");
+    if (fields[0].empty()) refuse_floe(where(), "no floe name (the first column is empty); number the floes");
     if (floes_.empty() || fields[0] != name_) start(fields[0]);
     const double x = coordinate_of(number_of(fields[1], where(), "x"), where());
     const double y = coordinate_of(number_of(fields[2], where(), "y"), where());
@@ -107,7 +107,7 @@ class CsvReader {
   void start(const std::string& name) {
     if (!names_.insert(name).second)
       refuse_floe(where(), "floe " + shortened(name) +
-                               " comes a second time (the rows of a floe must be together) rename or move it");
+                               " comes a second time (the rows of a floe must be together); rename or move it");
     name_ = name;
     floes_.push_back({{}, where() + ": floe " + shortened(name)});
     floes_.back().floe.thickness_m = 0.0;
@@ -117,7 +117,7 @@ class CsvReader {
     FloeDef& floe = floes_.back().floe;
     if (floe.outline_m.size() > 1 && floe.thickness_m != thickness)
       refuse_floe(where(), "thickness differs from the rows above (floe " + shortened(name_) +
-                               " has one thickness) make them equal");
+                               " has one thickness); make them equal");
     floe.thickness_m = thickness;
   }
 
@@ -142,10 +142,10 @@ ReadFloes read_floe_file(const std::string& path, ConcaveFloes concave) {
   } else if (ends_with(path, ".geojson")) {
     floes = floes_of_geojson(path, read_floes_text(path));
   } else {
-    refuse_floe(path, "unknown kind of floe file (allowed are .csv, .geojson and run files) convert it");
+    refuse_floe(path, "unknown kind of floe file (allowed are .csv, .geojson and run files); convert it");
   }
   if (floes.empty())
-    refuse_floe(path, "no floes (the file has no rows after the header) add some or set floes.source = \"listed\"");
+    refuse_floe(path, "no floes (the file has no rows after the header); add some or set floes.source = \"listed\"");
   return convex_floes(floes, concave);
 }
 

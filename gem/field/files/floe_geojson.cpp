@@ -18,23 +18,23 @@ using Json = nlohmann::json;
 
 Vec2 point_of(const Json& point, const std::string& where) {
   if (!point.is_array() || point.size() < 2 || !point[0].is_number() || !point[1].is_number())
-    refuse_floe(where, "a position is not [x, y] (two numbers in m are needed) correct it");
+    refuse_floe(where, "a position is not [x, y] (two numbers in m are needed); correct it");
   return {coordinate_of(point[0].get<double>(), where), coordinate_of(point[1].get<double>(), where)};
 }
 
 /// A ring without its last position, with which GeoJSON repeats the first.
 std::vector<Vec2> ring_of(const Json& rings, const std::string& where) {
   if (!rings.is_array() || rings.empty() || !rings[0].is_array())
-    refuse_floe(where, "no ring of positions (a polygon is a list of rings) correct it");
+    refuse_floe(where, "no ring of positions (a polygon is a list of rings); correct it");
   if (rings.size() > 1)
     refuse_floe(where,
                 "a hole (" + std::to_string(rings.size() - 1) +
-                    " inner ring(s); a floe is one piece of ice without openings) remove the inner rings or cut " +
+                    " inner ring(s); a floe is one piece of ice without openings); remove the inner rings or cut " +
                     "the polygon through them");
   std::vector<Vec2> outline;
   for (const Json& point : rings[0]) outline.push_back(point_of(point, where));
   if (outline.size() < 2 || outline.front().x != outline.back().x || outline.front().y != outline.back().y)
-    refuse_floe(where, "the ring is not closed (the last position repeats the first) close it");
+    refuse_floe(where, "the ring is not closed (the last position repeats the first); close it");
   outline.pop_back();
   return outline;
 }
@@ -44,11 +44,11 @@ std::vector<std::pair<std::vector<Vec2>, std::string>> outlines_of(const Json& f
   const Json geometry = feature.is_object() && feature.contains("geometry") ? feature["geometry"] : Json();
   const Json type = geometry.is_object() ? geometry.value("type", Json()) : Json();
   if ((type != "Polygon" && type != "MultiPolygon") || !geometry.contains("coordinates"))
-    refuse_floe(where, "not a Polygon or MultiPolygon (floes are polygons) convert or remove it");
+    refuse_floe(where, "not a Polygon or MultiPolygon (floes are polygons); convert or remove it");
   const Json& coordinates = geometry["coordinates"];
   if (type == "Polygon") return {{ring_of(coordinates, where), where}};
   if (!coordinates.is_array() || coordinates.empty())
-    refuse_floe(where, "no polygons (the coordinates of a MultiPolygon are a list of polygons) correct it");
+    refuse_floe(where, "no polygons (the coordinates of a MultiPolygon are a list of polygons); correct it");
   std::vector<std::pair<std::vector<Vec2>, std::string>> outlines;
   for (const Json& polygon : coordinates) {
     const std::string part = where + ", polygon " + std::to_string(outlines.size());
@@ -65,7 +65,7 @@ void check_property_name(const std::string& name, const std::string& where) {
   const bool alike = lower.find("thick") != std::string::npos || !nearest_name(lower, {"thickness"}).empty();
   if (name != "thickness" && alike)
     refuse_floe(where, "unknown property \"" + shortened(name) +
-                           "\" (the thickness in m is called thickness) did you mean `thickness`?");
+                           "\" (the thickness in m is called thickness); did you mean `thickness`?");
 }
 
 double feature_thickness(const Json& feature, const std::string& where) {
@@ -73,7 +73,7 @@ double feature_thickness(const Json& feature, const std::string& where) {
   const Json& properties = feature["properties"];
   for (const auto& property : properties.items()) check_property_name(property.key(), where);
   if (!properties.contains("thickness")) return 0.0;
-  if (!properties["thickness"].is_number()) refuse_floe(where, "thickness is not a number (it is in m) correct it");
+  if (!properties["thickness"].is_number()) refuse_floe(where, "thickness is not a number (it is in m); correct it");
   return thickness_of(properties["thickness"].get<double>(), where);
 }
 
@@ -91,11 +91,11 @@ std::vector<FoundFloe> floes_of_geojson(const std::string& path, const std::stri
     std::string why = fault.what();
     for (char& c : why)
       if (c == '\n') c = ' ';
-    refuse_floe(path, "not valid JSON (" + why.substr(0, 300) + ") correct the file");
+    refuse_floe(path, "not valid JSON (" + why.substr(0, 300) + "); correct the file");
   }
   if (!json.is_object() || json.value("type", Json()) != "FeatureCollection" || !json.contains("features") ||
       !json["features"].is_array())
-    refuse_floe(path, "not a FeatureCollection (floes are Polygon and MultiPolygon features) export it as one");
+    refuse_floe(path, "not a FeatureCollection (floes are Polygon and MultiPolygon features); export it as one");
   std::vector<FoundFloe> floes;
   std::size_t number = 0;
   for (const Json& feature : json["features"]) {

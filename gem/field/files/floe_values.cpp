@@ -17,12 +17,12 @@ std::string shortened(const std::string& field) { return field.size() <= 60 ? fi
 double coordinate_of(double value, const std::string& where) {
   if (!place_range.contains(value))
     refuse_floe(where, "a coordinate is out of range (value " + number_text(value) + ", allowed " +
-                           range_text(place_range, "m") + ") give it in m");
+                           range_text(place_range, "m") + "); give it in m");
   return value;
 }
 
 double thickness_of(double value, const std::string& where) {
-  if (!(value > 0.0)) refuse_floe(where, "thickness must be positive (it is in m) correct it or leave the column out");
+  if (!(value > 0.0)) refuse_floe(where, "thickness must be positive (it is in m); correct it or leave the column out");
   return value;
 }
 

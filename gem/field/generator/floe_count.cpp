@@ -23,11 +23,11 @@ std::int64_t count_of_concentration(const FloesDef& floes, double water) {
   const double count = floes.concentration * water / mean_area(floes);
   if (!(water > 0.0))
     throw Error(ExitCode::scene_rejected,
-                "floes.concentration: no free water (obstacles take the whole field) move the field or the obstacles");
+                "floes.concentration: no free water (obstacles take the whole field); move the field or the obstacles");
   if (count > floes_maximum)
     throw Error(ExitCode::scene_rejected, "floes.concentration: too many floes (" + number_text(count, 3) +
                                               " would be needed, allowed at most " + number_text(floes_maximum) +
-                                              ") use larger floes or a smaller field");
+                                              "); use larger floes or a smaller field");
   return std::max<std::int64_t>(1, std::llround(count));
 }
 

@@ -24,15 +24,15 @@ constexpr double packing_concentration = 0.75;
 
 void check(const SceneDef& scene) {
   const FloesDef& f = scene.floes;
-  if (f.count < 0) refuse("count " + std::to_string(f.count) + " is negative (nothing to place) give 0 or more");
+  if (f.count < 0) refuse("count " + std::to_string(f.count) + " is negative (nothing to place); give 0 or more");
   if (!(f.gap_m > 0.0))
-    refuse("gap_m " + number_text(f.gap_m) + " is not positive (no contact is allowed at the start) give e.g. 0.05");
+    refuse("gap_m " + number_text(f.gap_m) + " is not positive (no contact is allowed at the start); give e.g. 0.05");
   if (!(f.length_m > 0.0 && f.width_m > 0.0)) refuse("length_m and width_m must be positive (the field is empty)");
   if (f.source == FloeSource::copied && f.shape_count < 1) refuse("shape_count must be at least 1 (nothing to copy)");
   if (!scene.boundary.present) return;
   if (f.start_x_m < scene.boundary.inlet_x_m)
     refuse("start_x_m " + number_text(f.start_x_m) + " lies upstream of boundary.inlet_x_m " +
-           number_text(scene.boundary.inlet_x_m) + " (floes would start outside the channel) move one of them");
+           number_text(scene.boundary.inlet_x_m) + " (floes would start outside the channel); move one of them");
 }
 
 std::int64_t floe_count(const SceneDef& scene, const std::vector<std::vector<Vec2>>& obstacles) {
@@ -91,7 +91,7 @@ std::vector<FloeDef> tiled_floes(const SceneDef& scene, const std::vector<std::v
   const std::string reached = number_text(f.concentration * mosaic.reached_share, 3);
   throw Error(ExitCode::scene_rejected, "floes.concentration: " + number_text(f.concentration) + " was not reached (" +
                                             reached + " of the free water, with gap_m = " + number_text(f.gap_m) +
-                                            " m around every floe) lower it, make gap_m smaller or the field larger");
+                                            " m around every floe); lower it, make gap_m smaller or the field larger");
 }
 
 std::vector<FloeDef> mosaic_floes(const SceneDef& scene, const PlacementTask& task) {

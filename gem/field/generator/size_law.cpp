@@ -23,7 +23,7 @@ constexpr std::array<double, 4> gauss_weight = {0.3478548451374538, 0.6521451548
                                             " m and deviation " + number_text(floes.size_deviation_m) +
                                             " m (sizes lie between " + number_text(floes.size_minimum_m) + " and " +
                                             number_text(floes.size_maximum_m) +
-                                            " m) move size_mean_m towards the middle or lower " + "size_deviation_m");
+                                            " m); move size_mean_m towards the middle or lower " + "size_deviation_m");
 }
 
 }  // namespace

@@ -27,7 +27,7 @@ def _axes(ax: Any) -> Any:
     try:
         from matplotlib import pyplot
     except ImportError as missing:
-        raise GemError("no matplotlib (pictures need it) install python3-matplotlib") from missing
+        raise GemError("no matplotlib (pictures need it); install python3-matplotlib") from missing
     return pyplot.subplots(figsize=(8, 5), constrained_layout=True)[1]
 
 
@@ -40,7 +40,7 @@ def field_patches(run: RunFile, time: float | None = None, colour: str = "speed"
     from matplotlib.collections import PolyCollection
 
     if colour not in COLOURS:
-        raise GemError(f"colour {colour!r} is unknown (there are {', '.join(COLOURS)}) choose one of these")
+        raise GemError(f"colour {colour!r} is unknown (there are {', '.join(COLOURS)}); choose one of these")
     outlines = run.outlines(time)
     return PolyCollection(outlines.corners, array=getattr(outlines, colour), **{"cmap": "viridis", "edgecolors": "none", **style})
 
@@ -81,7 +81,7 @@ def plot_orbit(run: RunFile, ax: Any = None, **style: Any) -> Any:
 
     ax = _axes(ax)
     if run.platform.sizes["time"] < 2:
-        raise GemError(f"{run.path}: no path of a platform (the run has none, or fewer than two samples) plot the field")
+        raise GemError(f"{run.path}: no path of a platform (the run has none, or fewer than two samples); plot the field")
     anchor = run.case["platform"]["anchor_m"]
     path = numpy.stack([run.platform.x - anchor[0], run.platform.y - anchor[1]], axis=1)
     pieces = numpy.stack([path[:-1], path[1:]], axis=1)
@@ -104,11 +104,11 @@ def spectrum(time: numpy.ndarray, values: numpy.ndarray, segments: int = 3) -> t
     """
     length = 2 * len(values) // (segments + 1)
     if length < 16:
-        raise GemError(f"{len(values)} samples are too few for a spectrum of {segments} stretches (16 each are needed) use "
+        raise GemError(f"{len(values)} samples are too few for a spectrum of {segments} stretches (16 each are needed); use "
                        "fewer stretches or a longer run")
     step = (time[-1] - time[0]) / (len(time) - 1)
     if not numpy.allclose(numpy.diff(time), step, rtol=1e-3):
-        raise GemError("the samples are not evenly spaced (a spectrum needs that) resample them")
+        raise GemError("the samples are not evenly spaced (a spectrum needs that); resample them")
     window = 0.5 - 0.5 * numpy.cos(2 * numpy.pi * numpy.arange(length) / length)
     scale = 2.0 * step / float(numpy.sum(window**2))
     total = numpy.zeros(length // 2 + 1)
@@ -130,7 +130,7 @@ def plot_spectrum(run: RunFile, channel: str = "x", start: float = 0.0, ax: Any 
     and as `spectrum()`.
     """
     if channel not in CHANNELS:
-        raise GemError(f"channel {channel!r} is unknown (there are {', '.join(CHANNELS)}) choose one of these")
+        raise GemError(f"channel {channel!r} is unknown (there are {', '.join(CHANNELS)}); choose one of these")
     ax = _axes(ax)
     record = run.platform.sel(time=slice(start, None))
     frequency, density = spectrum(record.time.values, record[channel].values)

@@ -44,7 +44,7 @@ def program(chosen: Path | None = None) -> str:
     name = os.fspath(chosen) if chosen is not None else os.environ.get("GEM_PROGRAM", "gem")
     found = shutil.which(name)
     if found is None:
-        raise GemError(f"the program {name} was not found (it is not on the search path) install gem, or set GEM_PROGRAM")
+        raise GemError(f"the program {name} was not found (it is not on the search path); install gem, or set GEM_PROGRAM")
     return found
 
 
@@ -54,7 +54,7 @@ def _toml_text(text: str) -> str:
     try:
         text.encode("utf-8")
     except UnicodeEncodeError as fault:
-        raise GemError(f"{text!r} cannot be written in a case ({fault.reason}) leave such characters out") from fault
+        raise GemError(f"{text!r} cannot be written in a case ({fault.reason}); leave such characters out") from fault
     return json.dumps(text, ensure_ascii=False).replace("\x7f", "\\u007f")
 
 
@@ -72,7 +72,7 @@ def _toml(value: Any) -> str:
         return "{" + ", ".join(f"{_toml_text(str(key))} = {_toml(one)}" for key, one in value.items()) + "}"
     if isinstance(value, Sequence):
         return "[" + ", ".join(_toml(one) for one in value) + "]"
-    raise GemError(f"{value!r} cannot be written in a case (allowed are numbers, texts, lists and tables) convert it")
+    raise GemError(f"{value!r} cannot be written in a case (allowed are numbers, texts, lists and tables); convert it")
 
 
 def setting_arguments(settings: Mapping[str, Any]) -> list[str]:
@@ -142,7 +142,7 @@ def _json_of(text: str) -> Any:
     try:
         return json.loads(text)
     except ValueError as fault:
-        raise GemError(f"the program's answer is no JSON ({fault}) its version may not fit this package") from fault
+        raise GemError(f"the program's answer is no JSON ({fault}); its version may not fit this package") from fault
 
 
 _MESSAGES = ["--json", "--progress", "json", "--log-format", "json"]

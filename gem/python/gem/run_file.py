@@ -49,7 +49,7 @@ def _opened(path: str) -> h5py.File:
             return h5py.File(path, "r", swmr=True)  # a run that is being written, or was killed, opens only so
         except (OSError, ValueError):
             reason = fault.strerror or str(fault)
-            raise GemError(f"cannot read {path} ({reason}) check that it is a run file") from fault
+            raise GemError(f"cannot read {path} ({reason}); check that it is a run file") from fault
 
 
 class RunFile:
@@ -74,13 +74,13 @@ class RunFile:
 
     def _check(self, allow_incomplete: bool) -> None:
         if "gem_status" not in self.attributes:
-            raise GemError(f"{self.path}: not a run file (it has no gem_status) check the path")
+            raise GemError(f"{self.path}: not a run file (it has no gem_status); check the path")
         schema = str(self.attributes.get("gem_schema"))
         if schema != SCHEMA:
-            raise GemError(f"{self.path}: layout {schema!r} (this package reads {SCHEMA!r}) use the package of the program "
+            raise GemError(f"{self.path}: layout {schema!r} (this package reads {SCHEMA!r}); use the package of the program "
                            "that wrote it")
         if self.status not in ("complete", "stopped:until") and not allow_incomplete:
-            raise GemError(f"{self.path}: the run is not complete (status: {self.status}) finish it, or open it with "
+            raise GemError(f"{self.path}: the run is not complete (status: {self.status}); finish it, or open it with "
                            "allow_incomplete=True")
 
     def __enter__(self) -> RunFile:
@@ -132,12 +132,12 @@ class RunFile:
         try:
             return tomllib.loads(str(text))
         except tomllib.TOMLDecodeError as fault:
-            raise GemError(f"{self.path}: its case cannot be read ({fault}) the file may be damaged") from fault
+            raise GemError(f"{self.path}: its case cannot be read ({fault}); the file may be damaged") from fault
 
     def group(self, name: str) -> xarray.Dataset:
         """One of GROUPS as a dataset. Raises GemError for another name, and for a group that is damaged."""
         if name not in GROUPS:
-            raise GemError(f"no group {name!r} (there are {', '.join(GROUPS)}) correct the name")
+            raise GemError(f"no group {name!r} (there are {', '.join(GROUPS)}); correct the name")
         if name not in self._groups:
             self._groups[name] = self._read(name)
         return self._groups[name]
@@ -157,14 +157,14 @@ class RunFile:
     def tree(self) -> Any:
         """All groups as one `xarray.DataTree`. Raises GemError where xarray has none (before 2024.10)."""
         if not hasattr(xarray, "DataTree"):
-            raise GemError("this xarray has no DataTree (it is older than 2024.10) use datasets()")
+            raise GemError("this xarray has no DataTree (it is older than 2024.10); use datasets()")
         root = xarray.Dataset(attrs=self.attributes)
         # Dimensions of one name differ between groups, so that no group may inherit them from the root.
         return xarray.DataTree.from_dict({"/": root, **self.datasets()})
 
     def _read(self, name: str) -> xarray.Dataset:
         if name not in self._file:
-            raise GemError(f"{self.path}: no group {name} (the run did not record it) look at the others")
+            raise GemError(f"{self.path}: no group {name} (the run did not record it); look at the others")
         variables: dict[str, tuple[tuple[str, ...], h5py.Dataset]] = {}
         for key, item in self._file[name].items():
             if not isinstance(item, h5py.Dataset) or "units" not in item.attrs:
@@ -186,7 +186,7 @@ class RunFile:
         try:
             return tuple(axis[0].name.rsplit("/", 1)[-1] for axis in item.dims)
         except (RuntimeError, KeyError, IndexError) as fault:
-            raise GemError(f"{self.path}: {item.name} has no named dimensions ({fault}) the file may be damaged") from fault
+            raise GemError(f"{self.path}: {item.name} has no named dimensions ({fault}); the file may be damaged") from fault
 
     def frame_times(self) -> numpy.ndarray:
         """Times of the floe frames [s], shape (frames,)."""
@@ -199,11 +199,11 @@ class RunFile:
         """
         times = self.frame_times()
         if len(times) == 0:
-            raise GemError(f"{self.path}: no frame of the floes (the run ended before the first) run it again")
+            raise GemError(f"{self.path}: no frame of the floes (the run ended before the first); run it again")
         time = float(times[-1]) if time is None else float(time)
         step = float(times[-1] - times[-2]) if len(times) > 1 else 0.0
         if not -1e-6 <= time <= times[-1] + 0.5 * step + 1e-6:
-            raise GemError(f"{self.path}: no frame at {time} s (the record is 0 to {times[-1]} s) choose a time in it")
+            raise GemError(f"{self.path}: no frame at {time} s (the record is 0 to {times[-1]} s); choose a time in it")
         index = int(numpy.argmin(numpy.abs(times - time)))
         group = self._file["floes"]
         values = {name: ("floe", group[name][index], _attributes(group[name]))

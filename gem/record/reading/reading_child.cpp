@@ -89,14 +89,14 @@ bool ended_by_user(const ReadInChild& reading, int status, long seconds) {
   if (signal_number == SIGXCPU)
     throw Error(ExitCode::file_system, "cannot read " + names_of(reading) + " (it took more than " +
                                            std::to_string(seconds) +
-                                           " s of processor time) the file is damaged, or made to do harm");
+                                           " s of processor time); the file is damaged, or made to do harm");
   if (signal_number == SIGKILL)
     throw Error(ExitCode::resource_limit, "cannot read " + names_of(reading) +
-                                              " (the system ended the program, probably for its memory) free memory, "
+                                              " (the system ended the program, probably for its memory); free memory, "
                                               "or use a machine with more");
   throw Error(ExitCode::file_system, "cannot read " + names_of(reading) +
                                          " (reading it crashed: " + strsignal(signal_number) +
-                                         ") the file is damaged, or made to do harm, or memory ended");
+                                         "); the file is damaged, or made to do harm, or memory ended");
 }
 
 }  // namespace

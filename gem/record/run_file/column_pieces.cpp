@@ -14,7 +14,7 @@ constexpr std::size_t piece_values = std::size_t{1} << 20;  // 8 MB
 constexpr std::size_t chunk_rows = 1024;                    // the longest chunk of a run file: none is read twice
 
 [[noreturn]] void refuse(const RunFile& file, const std::string& why) {
-  throw Error(ExitCode::file_system, "cannot read " + shown(file.path()) + " (" + why + ") the file may be damaged");
+  throw Error(ExitCode::file_system, "cannot read " + shown(file.path()) + " (" + why + "); the file may be damaged");
 }
 
 }  // namespace

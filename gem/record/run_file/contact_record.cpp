@@ -13,7 +13,7 @@ ContactRecord::ContactRecord(const RunFile& file)
     : file_(file), times_(is_in(file) ? file.column("contacts/time") : std::vector<double>{}) {
   if (!is_in(file)) return;
   const auto refuse = [&](const char* why) {
-    throw Error(ExitCode::file_system, "cannot read " + shown(file.path()) + " (" + why + ") the file may be damaged");
+    throw Error(ExitCode::file_system, "cannot read " + shown(file.path()) + " (" + why + "); the file may be damaged");
   };
   if (!std::is_sorted(times_.begin(), times_.end())) refuse("contacts/time does not ascend");
   // the platform and the fixed bodies stand before the floes

@@ -280,12 +280,12 @@ class RunWriter::Thread {
     const std::string saved = any_written_ ? "saved up to " + number_text(saved_time_) + " s" : "nothing was saved";
     if (out_of_memory_)
       return {ExitCode::resource_limit, "out of memory (while " + shown(path_) + " was written; " + saved +
-                                            ") use fewer floes or a machine with more"};
+                                            "); use fewer floes or a machine with more"};
     if (lost_)
       return {ExitCode::file_system,
-              "cannot write " + shown(path_) + " (" + why_ + ") leave the file in its place until the run ends"};
+              "cannot write " + shown(path_) + " (" + why_ + "); leave the file in its place until the run ends"};
     return {ExitCode::file_system,
-            "cannot write " + shown(path_) + " (" + why_ + "; " + saved + ") make room and run again"};
+            "cannot write " + shown(path_) + " (" + why_ + "; " + saved + "); make room and run again"};
   }
 
   std::string path_;

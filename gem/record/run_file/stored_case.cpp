@@ -12,7 +12,7 @@ namespace {
 
 [[noreturn]] void refuse_stored_case(const RunFile& file, const std::string& why) {
   throw Error(ExitCode::file_system,
-              "cannot read " + shown(file.path()) + " (" + why + ") the file is damaged or was changed by hand");
+              "cannot read " + shown(file.path()) + " (" + why + "); the file is damaged or was changed by hand");
 }
 
 }  // namespace

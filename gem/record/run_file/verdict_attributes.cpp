@@ -53,7 +53,7 @@ std::vector<std::string> items(const std::string& text, char separator) {
 
 [[noreturn]] void refuse(const RunFile& file) {
   throw Error(ExitCode::file_system, "cannot read " + shown(file.path()) +
-                                         " (its verdict is damaged: the lists gem_verdict_* differ in length) run the "
+                                         " (its verdict is damaged: the lists gem_verdict_* differ in length); run the "
                                          "case again");
 }
 

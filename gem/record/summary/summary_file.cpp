@@ -159,7 +159,7 @@ void write_summary(const std::string& path, bool overwrite, const SummaryTable& 
   }
   unlink(draft.c_str());
   throw Error(ExitCode::file_system,
-              "cannot write " + shown(path) + " (" + why + ") free disk space or choose another --out");
+              "cannot write " + shown(path) + " (" + why + "); free disk space or choose another --out");
 }
 
 }  // namespace gem

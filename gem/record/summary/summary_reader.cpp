@@ -182,7 +182,7 @@ SummaryTable read_summary(const std::string& path) {
     return table;
   } catch (const hdf5::Failure& failure) {
     throw Error(ExitCode::file_system, "cannot read the summary " + shown(path) + " (" + failure.text +
-                                           ") name a file that `gem sweep collect` wrote");
+                                           "); name a file that `gem sweep collect` wrote");
   }
 }
 

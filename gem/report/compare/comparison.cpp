@@ -20,7 +20,7 @@ ComparedRun loaded(const std::string& path, double from_s, bool allow_incomplete
   if (run.data.platform.time.size() < kSamplesForStatistics)
     throw Error(ExitCode::usage, shown(path) + ": nothing to compare (it has fewer than " +
                                      std::to_string(kSamplesForStatistics) + " samples of a platform after " +
-                                     number_text(from_s) + " s) leave it out, or choose an earlier --from");
+                                     number_text(from_s) + " s); leave it out, or choose an earlier --from");
   run.label = run.data.identity.name;
   run.findings = run_findings(run.data);
   run.analysis = whole_run_analysis(run.data);
@@ -71,7 +71,7 @@ Comparison compare_runs(const std::vector<std::string>& paths, double from_s, bo
   if (paths.size() < 2 || paths.size() > kRunsCompared)
     throw Error(ExitCode::usage, "cannot compare " + std::to_string(paths.size()) +
                                      " run files (a comparison takes 2 to " + std::to_string(kRunsCompared) +
-                                     ") for many runs see `gem sweep collect`");
+                                     "); for many runs see `gem sweep collect`");
   Comparison comparison;
   comparison.from_s = from_s;
   std::vector<SceneDef> cases;

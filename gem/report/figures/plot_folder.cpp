@@ -77,7 +77,7 @@ std::string read(const std::filesystem::path& path) {
 
 Error no_gnuplot() {
   return {ExitCode::file_system,
-          "gnuplot was not found (the figures of a report need it) install the package gnuplot-nox"};
+          "gnuplot was not found (the figures of a report need it); install the package gnuplot-nox"};
 }
 
 }  // namespace
@@ -103,7 +103,7 @@ PlotFolder::PlotFolder(std::filesystem::path folder, std::string stamp)
   std::filesystem::create_directories(folder_, failed);
   if (failed)
     throw Error(ExitCode::file_system, "cannot make the folder " + folder_.string() + " (" + failed.message() +
-                                           ") choose another output folder");
+                                           "); choose another output folder");
 }
 
 void PlotFolder::write(const std::string& file, const std::string& text) const {
@@ -112,7 +112,7 @@ void PlotFolder::write(const std::string& file, const std::string& text) const {
   stream.close();
   if (!stream)
     throw Error(ExitCode::file_system,
-                "cannot write " + (folder_ / file).string() + " (disk full or no permission) choose another folder");
+                "cannot write " + (folder_ / file).string() + " (disk full or no permission); choose another folder");
 }
 
 void PlotFolder::write_csv(const std::string& name, const Csv& csv) const { write(name + ".csv", csv.text()); }
@@ -131,7 +131,7 @@ Figure PlotFolder::draw(Figure figure, PlotSize size, const std::string& command
   if (!result.found) throw no_gnuplot();
   if (result.exit_code != 0)
     throw Error(ExitCode::file_system, "gnuplot failed on " + (folder_ / (figure.name + ".gp")).string() + " (" +
-                                           result.output + ") run it by hand to see more");
+                                           result.output + "); run it by hand to see more");
   figure.svg = tidy_svg(read(folder_ / (figure.name + ".svg")), figure);
   return figure;
 }

@@ -35,7 +35,7 @@ std::string read_line_of(int pipe_end) {
 ProgramResult run_program(const std::vector<std::string>& command, const std::filesystem::path& folder) {
   std::array<int, 2> ends{};
   if (::pipe2(ends.data(), O_CLOEXEC) != 0)
-    throw Error(ExitCode::resource_limit, "cannot start " + command.front() + " (no pipe left) close other programs");
+    throw Error(ExitCode::resource_limit, "cannot start " + command.front() + " (no pipe left); close other programs");
   posix_spawn_file_actions_t actions;
   posix_spawn_file_actions_init(&actions);
   posix_spawn_file_actions_addchdir_np(&actions, folder.c_str());
@@ -53,7 +53,7 @@ ProgramResult run_program(const std::vector<std::string>& command, const std::fi
     ::close(ends[0]);
     if (failed == ENOENT) return {false, 127, ""};
     throw Error(ExitCode::resource_limit, "cannot start " + command.front() + " (" +
-                                              std::generic_category().message(failed) + ") close other programs");
+                                              std::generic_category().message(failed) + "); close other programs");
   }
   ProgramResult result;
   result.output = read_line_of(ends[0]);

@@ -31,7 +31,7 @@ void check_piece(const RunFile& file, const ColumnPiece& piece, std::size_t thru
         std::all_of(values.begin(), values.end(), [](double value) { return std::isfinite(value); }))
       continue;
     throw Error(ExitCode::file_system, "cannot read " + shown(file.path()) + " (its column " + columns[column] +
-                                           " does not fit the case and the samples, or holds no numbers) the file may "
+                                           " does not fit the case and the samples, or holds no numbers); the file may "
                                            "be damaged");
   }
 }

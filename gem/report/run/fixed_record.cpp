@@ -32,7 +32,7 @@ FixedRecord fixed_record(const RunFile& file, const SceneDef& scene) {
   const ContactRecord contacts(file);
   if (bodies > file.boundary_outlines().size())
     throw Error(ExitCode::file_system, "cannot read " + shown(file.path()) +
-                                           " (it has fewer fixed bodies than its case) the file may be damaged");
+                                           " (it has fewer fixed bodies than its case); the file may be damaged");
   // they stand behind the platform and the boundary, before the floes
   const std::size_t first = static_cast<std::size_t>(contacts.first_floe()) - bodies;
   FixedRecord fixed;

@@ -21,7 +21,7 @@ bool are_numbers(const std::vector<double>& values, std::size_t count) {
 [[noreturn]] void refuse_lines(const RunFile& file) {
   throw Error(ExitCode::file_system, "cannot read " + shown(file.path()) +
                                          " (its mooring lines do not fit the case and the samples, or are no "
-                                         "numbers) the file may be damaged");
+                                         "numbers); the file may be damaged");
 }
 
 }  // namespace

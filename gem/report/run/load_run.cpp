@@ -36,7 +36,7 @@ RunIdentity identity(const RunFile& file, const SceneDef& scene) {
 
 [[noreturn]] void refuse_record(const RunFile& file, const std::string& why) {
   throw Error(ExitCode::file_system, "cannot read " + shown(file.path()) + " (" + why +
-                                         ") the file may be damaged or made by another program");
+                                         "); the file may be damaged or made by another program");
 }
 
 /// Columns of one record, by name. A column that a run did not record, or that older files lack, is empty.

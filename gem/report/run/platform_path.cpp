@@ -27,7 +27,7 @@ std::vector<double> picked(const RunFile& file, const std::string& dataset, cons
   const std::vector<double> column = file.column(dataset);
   if (column.size() <= samples.back())
     throw Error(ExitCode::file_system, "cannot read " + shown(file.path()) + " (" + dataset +
-                                           " is shorter than platform/time) the file may be damaged");
+                                           " is shorter than platform/time); the file may be damaged");
   std::vector<double> values;
   for (const std::size_t i : samples) values.push_back(column[i] - less);
   return values;
@@ -43,8 +43,8 @@ PlatformPath read_path(const std::string& run_file, double interval_s) {
   if (time.empty()) return path;
   constexpr double samples_maximum = 1e8;
   if (!(time.back() / interval_s < samples_maximum) || !std::is_sorted(time.begin(), time.end()))
-    throw Error(ExitCode::file_system,
-                "cannot read " + shown(run_file) + " (its platform record has no valid times) the file may be damaged");
+    throw Error(ExitCode::file_system, "cannot read " + shown(run_file) +
+                                           " (its platform record has no valid times); the file may be damaged");
   const Vec2 rest = stored_scene(file).platform.anchor_m;
   const std::vector<std::size_t> samples = samples_at(time, interval_s);
   path.x = picked(file, "platform/x", samples, rest.x);

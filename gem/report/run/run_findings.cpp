@@ -121,7 +121,7 @@ double sample_interval(const std::vector<double>& time) {
       throw Error(
           ExitCode::file_system,
           "the platform record has uneven samples (output.platform_interval_s is not a whole number of time steps, "
-          "or the file is damaged) run the case with another interval");
+          "or the file is damaged); run the case with another interval");
   return interval;
 }
 

@@ -33,7 +33,7 @@ void check_sides(const RunFile& file, const ColumnPiece& piece, std::size_t side
       continue;
     throw Error(ExitCode::file_system,
                 "cannot read " + shown(file.path()) +
-                    " (the loads by side do not fit the outline and the samples, or are no numbers) the file "
+                    " (the loads by side do not fit the outline and the samples, or are no numbers); the file "
                     "may be damaged");
   }
 }

@@ -168,7 +168,7 @@ void write_sensitivity_runs(const SensitivityPage& page, const std::filesystem::
   file.close();
   if (!file)
     throw Error(ExitCode::file_system,
-                "cannot write " + path.string() + " (disk full or no permission) choose another output folder");
+                "cannot write " + path.string() + " (disk full or no permission); choose another output folder");
 }
 
 void write_sensitivity_page(const SensitivityPage& page, const std::string& out_dir) {

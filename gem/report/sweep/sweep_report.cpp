@@ -64,7 +64,7 @@ void check_time_is_in_some(const std::vector<SweepPageCell>& cells, std::optiona
   for (const SweepPageCell& cell : cells) longest = std::max(longest, cell.duration_s);
   if (at_s.value_or(0.0) > longest)
     throw Error(ExitCode::usage, "no run has the time " + time_text(*at_s) + " (the longest ends at " +
-                                     time_text(longest) + ") choose another --at");
+                                     time_text(longest) + "); choose another --at");
 }
 
 std::string share_bar(double value, double largest) {
@@ -216,7 +216,7 @@ void write_sweep_report(const std::string& sweep, const std::vector<SweepPageRun
                         std::optional<double> at_s) {
   if (std::all_of(runs.begin(), runs.end(), [](const SweepPageRun& run) { return run.path.empty(); }))
     throw Error(ExitCode::usage, sweep +
-                                     " has no run that can be shown (none is done) make them with `gem sweep run`, "
+                                     " has no run that can be shown (none is done); make them with `gem sweep run`, "
                                      "or include those that stopped with --allow-incomplete");
   const std::filesystem::path folder(out_dir);
   const std::string title = escaped(sweep) + " - report of a sweep";

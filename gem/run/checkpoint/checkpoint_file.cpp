@@ -89,7 +89,7 @@ void write_checkpoint(const std::string& run_file, const Checkpoint& checkpoint,
   const int fault = errno;
   unlink(draft.c_str());
   throw Error(ExitCode::file_system, "cannot write " + shown(path) + " (" + std::generic_category().message(fault) +
-                                         ") the run goes on, but a kill would cost more of it; make room");
+                                         "); the run goes on, but a kill would cost more of it; make room");
 }
 
 FoundCheckpoints find_checkpoints(const std::string& run_file) {

@@ -15,7 +15,7 @@ namespace {
 
 [[noreturn]] void refuse(const std::string& run_file, const std::string& why) {
   throw Error(ExitCode::file_system, "cannot go on with " + shown(run_file) + " (" + why +
-                                         ") run the case again; `gem info FILE --case` prints it");
+                                         "); run the case again; `gem info FILE --case` prints it");
 }
 
 /// Rows of a column; 0 if the file has no such column.

@@ -24,7 +24,7 @@ INSTANTIATE_TEST_SUITE_P(
                  {"wrong number of corners (value 257"}},
         BadScene{"pieces_without_a_piece",
                  "[platform]\noutline = \"pieces\"\n",
-                 {"platform.piece: missing (platform.outline = \"pieces\") give the pieces as [[platform.piece]]"}},
+                 {"platform.piece: missing (platform.outline = \"pieces\"); give the pieces as [[platform.piece]]"}},
         BadScene{"piece_without_corners",
                  "[platform]\noutline = \"pieces\"\n[[platform.piece]]\n",
                  {"bad.toml:3:", "platform.piece[0].outline_m: missing"}},
@@ -80,7 +80,7 @@ INSTANTIATE_TEST_SUITE_P(
                  "[platform_drag]\nsurge_coefficient = 0.1\nsway_coefficient = 0.7\nyaw_coefficient = 0.7\n",
                  {"bad.toml:2:21: platform_drag.surge_coefficient: has no effect (value 0.1, allowed only with "
                   "platform_drag.law = \"by_axis\"; the same holds for platform_drag.sway_coefficient and "
-                  "platform_drag.yaw_coefficient) set platform_drag.law = \"by_axis\", or remove them"}},
+                  "platform_drag.yaw_coefficient); set platform_drag.law = \"by_axis\", or remove them"}},
         BadScene{"axes_at_their_defaults_of_the_round_law",
                  "[platform_drag]\nlaw = \"round\"\nsway_coefficient = 0.7\n",
                  {"platform_drag.sway_coefficient: has no effect (value 0.7",

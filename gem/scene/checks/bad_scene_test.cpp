@@ -39,13 +39,13 @@ TEST(BadScene, OverridesNameThemselves) {
   EXPECT_NE(rejection("", {"ice.class[1].thickness_m=0.7"}).find("give the whole list"), std::string::npos);
   EXPECT_EQ(rejection("", {"ice.class=[{name=\"thin\", thickness_m=0.7, tenths=4}]"}), "accepted");
   EXPECT_EQ(rejection("", {"floes.path=ice.csv"}),
-            "--set floes.path=ice.csv: floes.path: a text needs quotes (value ice.csv) write \"ice.csv\", in a shell "
+            "--set floes.path=ice.csv: floes.path: a text needs quotes (value ice.csv); write \"ice.csv\", in a shell "
             "--set 'floes.path=\"ice.csv\"'");
   EXPECT_EQ(rejection("", {"platform_drag.law=by-axis"}),
             "--set platform_drag.law=by-axis: platform_drag.law: a text needs quotes (value by-axis, allowed round, "
-            "by_axis) write \"by_axis\", in a shell --set 'platform_drag.law=\"by_axis\"'");
+            "by_axis); write \"by_axis\", in a shell --set 'platform_drag.law=\"by_axis\"'");
   EXPECT_EQ(rejection("", {"run.duration_s=20min"}),
-            "--set run.duration_s=20min: run.duration_s: a number with a unit (value 20min) write the number alone; "
+            "--set run.duration_s=20min: run.duration_s: a number with a unit (value 20min); write the number alone; "
             "the unit is in the key's name");
   EXPECT_NE(rejection("", {"run.name=20min"}).find("a text needs quotes (value 20min)"), std::string::npos);
   // An unquoted word is a text.

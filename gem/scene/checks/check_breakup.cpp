@@ -10,7 +10,7 @@ void check_breakup(const SceneDef& s, SceneProblems& out) {
     out.push_back({"breakup.load_time_s", "shorter than two time steps (value " +
                                               plain_number_text(s.breakup.load_time_s) + ", allowed from " +
                                               plain_number_text(least) +
-                                              " s on) raise it, or take a smaller numerics.time_step_s"});
+                                              " s on); raise it, or take a smaller numerics.time_step_s"});
 }
 
 }  // namespace gem

@@ -24,27 +24,27 @@ void check_platform_moves(const SceneDef& s, List& out) {
   const char* key = !p.present ? "platform.present" : p.fixed ? "platform.fixed" : "platform.yaw";
   const char* value = !p.present ? "false" : p.fixed ? "true" : "\"locked\"";
   out.push_back({key, std::string("thrusters need a platform that moves and turns (value ") + value +
-                          ") set it otherwise, or remove [[dp.thruster]]"});
+                          "); set it otherwise, or remove [[dp.thruster]]"});
 }
 
 void check_thruster_number(const SceneDef& s, List& out) {
   if (s.dp.thruster.size() > thrusters_maximum)
     out.push_back({"dp.thruster", "too many thrusters (value " + std::to_string(s.dp.thruster.size()) +
                                       ", allowed at most " + std::to_string(thrusters_maximum) +
-                                      ") give one of the same force for some that stand together"});
+                                      "); give one of the same force for some that stand together"});
 }
 
 void check_gain_rows(const SceneDef& s, List& out) {
   if (!s.dp.gains.empty() && s.dp.gains.size() != 3)
     out.push_back({"dp.gain_table", "wrong number of rows (value " + std::to_string(s.dp.gains.size()) +
-                                        ", allowed 3) give a row each for surge, sway and yaw"});
+                                        ", allowed 3); give a row each for surge, sway and yaw"});
 }
 
 /// One heading control is enough.
 void check_one_control(const SceneDef& s, List& out) {
   if (s.heading.moment_N_m > 0.0 || s.heading.damping_N_m_s > 0.0)
     out.push_back({"heading.moment_N_m",
-                   "the yaw has two controls (heading and dp) remove [heading]; dp.follows_drift = true turns the bow "
+                   "the yaw has two controls (heading and dp); remove [heading]; dp.follows_drift = true turns the bow "
                    "against the drift"});
 }
 
@@ -62,9 +62,10 @@ void check_thruster_directions(const SceneDef& s, List& out) {
     if (std::abs(back.surge - one[k].surge) + std::abs(back.sway - one[k].sway) + std::abs(back.yaw - one[k].yaw) <
         rounding)
       continue;
-    out.push_back({"dp.thruster", std::string("the thrusters cannot push the ") + dp_axes[k] +
-                                      " by itself (their places and directions leave it out) add one, or move one away "
-                                      "from the centre"});
+    out.push_back(
+        {"dp.thruster", std::string("the thrusters cannot push the ") + dp_axes[k] +
+                            " by itself (their places and directions leave it out); add one, or move one away "
+                            "from the centre"});
     return;
   }
 }
@@ -82,13 +83,13 @@ void check_dp_stability(const SceneDef& s, int k, const DpGain& gain, double ine
                                               : "dp.damping_ratio",
                    std::string("the control of the ") + dp_axes[k] + " is unstable (a lag of " + dp_digits(lag) +
                        " s by filter and time step, allowed below " + dp_digits(gain.derivative / gain.proportional) +
-                       " s: derivative over proportional gain) give a shorter filter, more damping or a longer "
+                       " s: derivative over proportional gain); give a shorter filter, more damping or a longer "
                        "period"});
   else if (gain.integral > 0.0 && !(gain.proportional * damped > inertia * gain.integral))
     out.push_back({given ? "dp.gain_table" : "dp.integral_time_s",
                    std::string("the control of the ") + dp_axes[k] + " is unstable (the integral time is " +
                        dp_digits(gain.proportional / gain.integral) + " s, allowed above " +
-                       dp_digits(inertia / damped) + " s) give a longer one"});
+                       dp_digits(inertia / damped) + " s); give a longer one"});
 }
 
 void check_dp_step(const SceneDef& s, int k, const DpGain& gain, double inertia, List& out) {
@@ -98,7 +99,7 @@ void check_dp_step(const SceneDef& s, int k, const DpGain& gain, double inertia,
     out.push_back({"numerics.time_step_s", std::string("the time step is too long for the control of the ") +
                                                dp_axes[k] + " (value " + dp_digits(s.numerics.time_step_s) +
                                                ", allowed at most " + dp_digits(phase_maximum / omega) +
-                                               " s) give a smaller time step or a longer period"});
+                                               " s); give a smaller time step or a longer period"});
 }
 
 /// A damping that turns the speed round within a time step.
@@ -141,9 +142,9 @@ void warn_of_dp(const SceneDef& scene, std::vector<std::string>& warnings) {
     if (!option.path.starts_with("dp.") || value_text(option.get(scene)) == value_text(option.get(usual))) continue;
     const bool of_gains =
         option.path.ends_with("_period_s") || option.path == "dp.damping_ratio" || option.path == "dp.integral_time_s";
-    if (!on) warnings.push_back(option.path + ": has no effect (there is no [[dp.thruster]]) add thrusters");
+    if (!on) warnings.push_back(option.path + ": has no effect (there is no [[dp.thruster]]); add thrusters");
     if (on && table && of_gains)
-      warnings.push_back(option.path + ": has no effect (dp.gain_table gives the gains) remove it");
+      warnings.push_back(option.path + ": has no effect (dp.gain_table gives the gains); remove it");
   }
   if (!on) return;
   if (scene.mooring.law == MooringLaw::linear && scene.mooring.stiffness_N_per_m == usual.mooring.stiffness_N_per_m)
@@ -151,7 +152,7 @@ void warn_of_dp(const SceneDef& scene, std::vector<std::string>& warnings) {
         "mooring.stiffness_N_per_m: the default mooring holds the platform beside its thrusters; 0 for "
         "thrusters alone");
   if (scene.dp.follows_drift && largest_current(scene) == 0.0)
-    warnings.push_back("dp.follows_drift: has no effect (there is no current) remove it");
+    warnings.push_back("dp.follows_drift: has no effect (there is no current); remove it");
 }
 
 }  // namespace gem

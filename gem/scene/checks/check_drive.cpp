@@ -19,7 +19,7 @@ void check_times(const std::string& key, const std::vector<TimeRow>& table, List
     if (!(table[k][0] > table[k - 1][0])) {
       out.push_back({key, "the times of the rows do not rise (value " + plain_number_text(table[k][0]) + " s in row " +
                               std::to_string(k + 1) + ", allowed above " + plain_number_text(table[k - 1][0]) +
-                              " s) sort the rows by time, one for each time"});
+                              " s); sort the rows by time, one for each time"});
       return;
     }
 }
@@ -33,7 +33,7 @@ void check_tables(const SceneDef& s, List& out) {
   const auto check_one = [&](const std::string& section, bool both) {
     if (both)
       out.push_back({section + ".direction_table", "so does " + section +
-                                                       ".velocity_table (both give the velocity over time) give only "
+                                                       ".velocity_table (both give the velocity over time); give only "
                                                        "one of the two tables"});
   };
   check_one("current", !d.current_velocity.empty() && !d.current_direction.empty());
@@ -46,14 +46,14 @@ void check_wind(const SceneDef& s, List& out) {
   if (s.water.drag_law != DragLaw::quadratic) {
     out.push_back({"water.drag_law",
                    "does not hold floes against the wind (wind needs \"quadratic\": both drags then have one law, and "
-                   "their ratio bounds the speed) set it to \"quadratic\", or take the wind out"});
+                   "their ratio bounds the speed); set it to \"quadratic\", or take the wind out"});
     return;
   }
   const auto held = [&](const char* key, double water, double air) {
     if (air > 0.0 && !(water > 0.0))
       out.push_back({key,
                      "does not hold floes against the wind (value 0, allowed above 0 where the wind has the same "
-                     "kind of drag) give the coefficient of the water"});
+                     "kind of drag); give the coefficient of the water"});
   };
   held("water.skin_coefficient", s.water.skin_coefficient, s.wind.skin_coefficient);
   held("water.form_coefficient", s.water.form_coefficient, s.wind.form_coefficient);
@@ -67,7 +67,7 @@ void check_wind(const SceneDef& s, List& out) {
 void check_turning(const SceneDef& s, List& out) {
   if (s.water.turning_rad != 0.0 && s.water.drag_law != DragLaw::quadratic)
     out.push_back({"water.turning_rad", "has no effect (value " + plain_number_text(s.water.turning_rad) +
-                                            ", allowed only with water.drag_law = \"quadratic\") set it to 0 or "
+                                            ", allowed only with water.drag_law = \"quadratic\"); set it to 0 or "
                                             "change the law"});
 }
 
@@ -113,7 +113,7 @@ void warn_of_drift(const SceneDef& scene, std::vector<std::string>& warnings) {
   warnings.push_back("current.velocity_m_per_s: it carries the ice past the platform or away from it (value " +
                      pair_text(current) + ", the field begins at x " + plain_number_text(scene.floes.start_x_m) +
                      " m and ends at " + plain_number_text(scene.floes.start_x_m + scene.floes.length_m) +
-                     " m) turn it round, or move the field with floes.start_x_m");
+                     " m); turn it round, or move the field with floes.start_x_m");
 }
 
 }  // namespace
@@ -125,22 +125,23 @@ void warn_of_drive(const SceneDef& scene, std::vector<std::string>& warnings) {
     if (table.empty() || (table.front()[0] <= d.start_time_s && table.back()[0] >= end)) return;
     warnings.push_back(key + ": does not cover the run (value " + plain_number_text(table.front()[0]) + " to " +
                        plain_number_text(table.back()[0]) + " s, the run takes " + plain_number_text(d.start_time_s) +
-                       " to " + plain_number_text(end) + " s) its first or last row holds outside");
+                       " to " + plain_number_text(end) + " s); its first or last row holds outside");
   };
   look_at("current.velocity_table", d.current_velocity);
   look_at("current.direction_table", d.current_direction);
   look_at("wind.velocity_table", d.wind_velocity);
   look_at("wind.direction_table", d.wind_direction);
   if (!varies(d) && d.start_time_s != 0.0)
-    warnings.push_back("run.table_time_s: has no effect (there is no table) remove it");
+    warnings.push_back("run.table_time_s: has no effect (there is no table); remove it");
   const EventDefinitions usual;
   const bool table = !d.current_velocity.empty() || !d.current_direction.empty();
   const Vec2 steady = scene.current.velocity_m_per_s, none = usual.current.velocity_m_per_s;
   if (table && (steady.x != none.x || steady.y != none.y))
-    warnings.push_back("current.velocity_m_per_s: has no effect (the table of the current holds) remove it");
+    warnings.push_back("current.velocity_m_per_s: has no effect (the table of the current holds); remove it");
   warn_of_drift(scene, warnings);
   if (scene.wind.platform_area_m2 > 0.0 && !has_wind(scene))
-    warnings.push_back("wind.platform_area_m2: has no effect (there is no wind) give wind.velocity_m_per_s or a table");
+    warnings.push_back(
+        "wind.platform_area_m2: has no effect (there is no wind); give wind.velocity_m_per_s or a table");
 }
 
 }  // namespace gem

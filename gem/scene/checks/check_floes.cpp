@@ -18,25 +18,25 @@ bool makes_floes(const FloesDef& floes) { return is_made(floes) && (floes.count 
 void check_source(const SceneDef& s, SceneProblems& out) {
   const bool from_file = s.floes.source == FloeSource::file;
   if (from_file && s.floes.path.empty())
-    out.push_back({"floes.path", "missing (source = \"file\") name the floe file"});
+    out.push_back({"floes.path", "missing (source = \"file\"); name the floe file"});
   if (!from_file && !s.floes.path.empty())
     out.push_back({"floes.path", "has no effect (value " + quoted_text(s.floes.path) +
-                                     ", allowed only with floes.source = \"file\") remove it or change the source"});
+                                     ", allowed only with floes.source = \"file\"); remove it or change the source"});
   if (!from_file && s.floes.time_s != 0.0)
     out.push_back({"floes.time_s", "has no effect (value " + plain_number_text(s.floes.time_s) +
-                                       ", allowed only with floes.source = \"file\") remove it or change the source"});
+                                       ", allowed only with floes.source = \"file\"); remove it or change the source"});
   if (!from_file && s.floes.concave != ConcaveFloes::refuse)
     out.push_back(
-        {"floes.concave", "has no effect (allowed only with floes.source = \"file\") remove it or change the source"});
+        {"floes.concave", "has no effect (allowed only with floes.source = \"file\"); remove it or change the source"});
   const std::string& sha256 = s.floes.sha256;
   if (!sha256.empty() && (sha256.size() != 64 || sha256.find_first_not_of("0123456789abcdef") != std::string::npos))
     out.push_back({"floes.sha256", "not a SHA-256 (value " + quoted_text(sha256) +
-                                       ", allowed 64 digits 0-9 and a-f) leave it out to use any floes"});
+                                       ", allowed 64 digits 0-9 and a-f); leave it out to use any floes"});
   if (!from_file && !sha256.empty())
-    out.push_back({"floes.sha256", "has no effect (allowed only with floes.source = \"file\") remove it"});
+    out.push_back({"floes.sha256", "has no effect (allowed only with floes.source = \"file\"); remove it"});
   if (s.floes.source != FloeSource::listed && !s.floe.empty())
     out.push_back({"floe", "listed floes have no effect (value " + std::to_string(s.floe.size()) +
-                               " floes) set floes.source = \"listed\""});
+                               " floes); set floes.source = \"listed\""});
 }
 
 void check_sizes(const SceneDef& s, SceneProblems& out) {
@@ -65,7 +65,7 @@ void check_sizes(const SceneDef& s, SceneProblems& out) {
     out.push_back({"floes.count",
                    "the floes do not fit into the field (value " + std::to_string(f.count) + ", they would cover " +
                        number_text(cover, 4) +
-                       " of its area; about 0.8 is the limit) lower it or enlarge floes.length_m or floes.width_m"});
+                       " of its area; about 0.8 is the limit); lower it or enlarge floes.length_m or floes.width_m"});
 }
 
 void check_concentration(const SceneDef& s, SceneProblems& out) {
@@ -79,7 +79,7 @@ void check_concentration(const SceneDef& s, SceneProblems& out) {
     out.push_back({"floes.concentration", "too low to be a pack (value " + plain_number_text(value) +
                                               ", allowed 0 or " +
                                               range_text({concentration_minimum, concentration_maximum}, "") +
-                                              ") give a share, such as 0.9 for 9/10"});
+                                              "); give a share, such as 0.9 for 9/10"});
 }
 
 void check_classes(const SceneDef& s, SceneProblems& out) {
@@ -121,7 +121,7 @@ void warn_of_tenths(const FloesDef& f, SceneWarnings& warnings) {
   if (std::abs(cover - tenths) > 1.0)
     warnings.push_back("ice.class: the tenths differ from the cover of the field (value " + plain_number_text(tenths) +
                        ", the floes cover " + plain_number_text(std::round(10.0 * cover) / 10.0) +
-                       " tenths) only the ratio of the tenths is used");
+                       " tenths); only the ratio of the tenths is used");
 }
 
 }  // namespace
@@ -141,15 +141,15 @@ void warn_of_floes(const SceneDef& scene, SceneWarnings& warnings) {
   const FloesDef usual_floes;
   if (f.concentration > 0.0 && f.count != usual_floes.count)
     warnings.push_back("floes.count: has no effect (value " + std::to_string(f.count) +
-                       ", floes.concentration sets the number of floes) remove it");
+                       ", floes.concentration sets the number of floes); remove it");
   if (!is_made(f) && f.count != usual_floes.count)
     warnings.push_back("floes.count: has no effect (value " + std::to_string(f.count) +
-                       ", the floes that are given count) remove it");
+                       ", the floes that are given count); remove it");
   const std::vector<IceClassDef>& classes = f.classes;
   const IceClassDef usual;
   if (f.source == FloeSource::listed &&
       (classes.size() != 1 || classes[0].thickness_m != usual.thickness_m || classes[0].tenths != usual.tenths))
-    warnings.push_back("ice.class: has no effect (listed floes have their own thickness_m) remove it");
+    warnings.push_back("ice.class: has no effect (listed floes have their own thickness_m); remove it");
 }
 
 }  // namespace gem

@@ -27,7 +27,7 @@ void warn_of_ice(const SceneDef& scene, SceneWarnings& warnings) {
     if (value >= jamming_friction)
       warnings.push_back(std::string(key) + ": above the Painleve bound of compact floes (value " +
                          plain_number_text(value) + ", limit " + plain_number_text(jamming_friction) +
-                         ") a sliding corner may jam; then it sticks instead");
+                         "); a sliding corner may jam; then it sticks instead");
   };
   friction("ice.friction_ice", scene.ice.friction_ice);
   friction("ice.friction_structure", scene.ice.friction_structure);

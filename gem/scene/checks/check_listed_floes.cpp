@@ -23,7 +23,7 @@ void check_places(const SceneDef& s, SceneProblems& out) {
     if (!place_range.contains(centre.x) || !place_range.contains(centre.y))
       out.push_back({"floe", name + ": its centre is out of range (value " + plain_number_text(centre.x) + ", " +
                                  plain_number_text(centre.y) + ", allowed " + range_text(place_range, "m") +
-                                 ") give it in m"});
+                                 "); give it in m"});
     else if (centre.x > s.output.retire_x_m)
       out.push_back({"output.retire_x_m", name + " starts downstream of the line (value " +
                                               plain_number_text(s.output.retire_x_m) + ", allowed at least " +
@@ -36,7 +36,7 @@ void check_listed_sizes(const SceneDef& s, SceneProblems& out) {
   const auto check = [&](std::size_t i, const char* what, double value, const Range& range) {
     if (range.contains(value)) return;
     out.push_back({"floe", "floe[" + std::to_string(i) + "]: " + what + " out of range (value " +
-                               plain_number_text(value) + ", allowed " + range_text(range, "m") + ") give it in m"});
+                               plain_number_text(value) + ", allowed " + range_text(range, "m") + "); give it in m"});
   };
   for (std::size_t i = 0; i < s.floe.size(); ++i) {
     const double area = std::abs(polygon_moments(s.floe[i].outline_m).area);

@@ -21,16 +21,16 @@ std::string digits(double value) { return plain_number_text(value); }
 void check_rows(const std::string& key, const std::string& where, const std::vector<ForceRow>& rows, List& out) {
   if (rows.size() < 2) {
     out.push_back({key, "too few rows" + where + " (value " + std::to_string(rows.size()) +
-                            ", allowed at least 2) give the force at two offsets or more"});
+                            ", allowed at least 2); give the force at two offsets or more"});
     return;
   }
   if (rows[0][1] != 0.0)
     out.push_back({key, "the force does not begin at 0" + where + " (value " + digits(rows[0][1]) +
-                            " N in the first row, allowed 0) begin with the offset at which the mooring tightens"});
+                            " N in the first row, allowed 0); begin with the offset at which the mooring tightens"});
   for (std::size_t k = 1; k < rows.size(); ++k)
     if (!(rows[k][0] > rows[k - 1][0])) {
       out.push_back({key, "the offsets of the rows do not rise" + where + " (value " + digits(rows[k][0]) +
-                              " m, allowed above " + digits(rows[k - 1][0]) + " m) sort the rows by offset"});
+                              " m, allowed above " + digits(rows[k - 1][0]) + " m); sort the rows by offset"});
       return;
     }
 }
@@ -39,7 +39,7 @@ void check_directions(const std::vector<DirectionGroup>& groups, List& out) {
   const std::string key = "mooring.direction_table";
   if (groups.size() < 3) {
     out.push_back({key, "too few directions (value " + std::to_string(groups.size()) +
-                            ", allowed at least 3) give more directions around the turn, or mooring.force_table"});
+                            ", allowed at least 3); give more directions around the turn, or mooring.force_table"});
     return;
   }
   for (std::size_t k = 0; k < groups.size(); ++k) {
@@ -48,7 +48,7 @@ void check_directions(const std::vector<DirectionGroup>& groups, List& out) {
     if (gap > 0.0 && gap <= half_turn) continue;
     out.push_back({key, "the directions do not go around a turn (value " + digits(gap) + " rad after " +
                             digits(groups[k].direction) + " rad, allowed above 0 and at most " + digits(half_turn) +
-                            " rad) let them rise, less than half a turn apart, the last within a turn of the first"});
+                            " rad); let them rise, less than half a turn apart, the last within a turn of the first"});
     return;
   }
 }
@@ -58,7 +58,7 @@ void check_force_tables(const SceneDef& s, List& out) {
   if (s.mooring.law != MooringLaw::table) {
     const auto idle = [&](const char* key, bool given) {
       if (given)
-        out.push_back({key, "has no effect (mooring.law is not \"table\") set mooring.law = \"table\", or remove it"});
+        out.push_back({key, "has no effect (mooring.law is not \"table\"); set mooring.law = \"table\", or remove it"});
     };
     idle("mooring.force_table", !d.force.empty());
     idle("mooring.direction_table", !d.direction.empty());
@@ -66,7 +66,7 @@ void check_force_tables(const SceneDef& s, List& out) {
   }
   if (d.force.empty() == d.direction.empty()) {
     out.push_back({"mooring.law", "\"table\" needs one table (value " + std::string(d.force.empty() ? "none" : "two") +
-                                      ") give mooring.force_table, or mooring.direction_table"});
+                                      "); give mooring.force_table, or mooring.direction_table"});
     return;
   }
   if (!d.force.empty()) check_rows("mooring.force_table", "", d.force, out);
@@ -83,7 +83,7 @@ void check_line(const SceneDef& s, const LineRow& row, const std::string& name, 
   if (!(row[4] > height))
     out.push_back({key, name + " does not reach the seabed (value " + digits(row[4]) +
                             " m, allowed above mooring.line_height_m = " + digits(height) +
-                            " m) give a longer line, or check the height"});
+                            " m); give a longer line, or check the height"});
 }
 
 void check_lines(const SceneDef& s, List& out) {
@@ -92,15 +92,15 @@ void check_lines(const SceneDef& s, List& out) {
   if (s.mooring.law != MooringLaw::catenary) {
     if (!d.lines.empty() || d.line_height_m != 0.0)
       out.push_back({d.lines.empty() ? "mooring.line_height_m" : key,
-                     "has no effect (mooring.law is not \"catenary\") set mooring.law = \"catenary\", or remove it"});
+                     "has no effect (mooring.law is not \"catenary\"); set mooring.law = \"catenary\", or remove it"});
     return;
   }
   if (d.lines.empty() || d.lines.size() > lines_maximum)
     out.push_back({key, "wrong number of lines (value " + std::to_string(d.lines.size()) + ", allowed 1 to " +
-                            std::to_string(lines_maximum) + ") give a row for each line"});
+                            std::to_string(lines_maximum) + "); give a row for each line"});
   if (!(d.line_height_m > 0.0))
     out.push_back({"mooring.line_height_m",
-                   "missing (mooring.law is \"catenary\") give the height of the fairleads "
+                   "missing (mooring.law is \"catenary\"); give the height of the fairleads "
                    "above the seabed"});
   else
     for (std::size_t k = 0; k < d.lines.size(); ++k) check_line(s, d.lines[k], "line " + std::to_string(k + 1), out);
@@ -115,14 +115,14 @@ void check_start(const SceneDef& s, List& out) {
       out.push_back({"mooring.line_table", "line " + std::to_string(k + 1) + " is torn at the start (value " +
                                                digits(tensions[k]) + " N, allowed at most its strength of " +
                                                digits(strength) +
-                                               " N) give a longer line, or check places and height"});
+                                               " N); give a longer line, or check places and height"});
 }
 
 void check_damping(const SceneDef& s, List& out) {
   if (s.mooring.law != MooringLaw::linear && s.mooring.damping_ratio != 0.0)
     out.push_back(
         {"mooring.damping_ratio", "has no effect (value " + digits(s.mooring.damping_ratio) +
-                                      ", allowed only with mooring.law = \"linear\") give mooring.damping_N_s_per_m"});
+                                      ", allowed only with mooring.law = \"linear\"); give mooring.damping_N_s_per_m"});
 }
 
 void check_yaw(const SceneDef& s, List& out) {
@@ -135,7 +135,7 @@ void check_yaw(const SceneDef& s, List& out) {
     out.push_back({"numerics.time_step_s",
                    "the time step is too long for the yaw on its mooring (value " + digits(s.numerics.time_step_s) +
                        ", allowed at most " + digits(phase_maximum / omega) +
-                       " s) give a smaller time step or check mooring.yaw_stiffness_N_m_per_rad"});
+                       " s); give a smaller time step or check mooring.yaw_stiffness_N_m_per_rad"});
 }
 
 }  // namespace
@@ -155,13 +155,13 @@ bool mooring_is_sound(const SceneDef& scene) {
 void warn_of_mooring(const SceneDef& scene, std::vector<std::string>& warnings) {
   const MooringDef &m = scene.mooring, usual;
   if (m.law != MooringLaw::linear && m.stiffness_N_per_m != usual.stiffness_N_per_m)
-    warnings.push_back("mooring.stiffness_N_per_m: has no effect (mooring.law is not \"linear\") remove it");
+    warnings.push_back("mooring.stiffness_N_per_m: has no effect (mooring.law is not \"linear\"); remove it");
   if (scene.platform.present && scene.platform.fixed && m.law != MooringLaw::linear)
-    warnings.push_back("mooring.law: has no effect (a fixed platform needs no mooring) remove it");
+    warnings.push_back("mooring.law: has no effect (a fixed platform needs no mooring); remove it");
   if (scene.output.line_tensions && m.law != MooringLaw::catenary)
-    warnings.push_back("output.line_tensions: has no effect (mooring.law is not \"catenary\") remove it");
+    warnings.push_back("output.line_tensions: has no effect (mooring.law is not \"catenary\"); remove it");
   if (scene.platform.yaw == Yaw::locked && (m.yaw_stiffness_N_m_per_rad > 0.0 || m.yaw_damping_N_m_s_per_rad > 0.0))
-    warnings.push_back("mooring.yaw_stiffness_N_m_per_rad: has no effect (the yaw is locked) remove it");
+    warnings.push_back("mooring.yaw_stiffness_N_m_per_rad: has no effect (the yaw is locked); remove it");
 }
 
 }  // namespace gem

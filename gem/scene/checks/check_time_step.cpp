@@ -35,7 +35,7 @@ void check_path(const SceneDef& s, SceneProblems& out) {
                                              plain_number_text(dt) + ", allowed at most " +
                                              limit_text(std::min(by_overlap, by_path)) + " s: bodies closing at " +
                                              number_text(speed, 4) + " m/s would " + what + " of " +
-                                             number_text(width, 4) + " m) give a smaller time step"});
+                                             number_text(width, 4) + " m); give a smaller time step"});
 }
 
 void check_step(const SceneDef& s, SceneProblems& out) {
@@ -57,7 +57,7 @@ void check_swing(const SceneDef& s, SceneProblems& out) {
                                                plain_number_text(s.numerics.time_step_s) + ", allowed at most " +
                                                limit_text(mooring_phase_maximum / omega) +
                                                " s: omega dt <= " + plain_number_text(mooring_phase_maximum) +
-                                               ") give a smaller time step or check stiffness and mass"});
+                                               "); give a smaller time step or check stiffness and mass"});
 }
 
 }  // namespace
@@ -73,16 +73,16 @@ void warn_of_time_step(const SceneDef& scene, SceneWarnings& warnings) {
   const double ends = step * std::round(scene.run.duration_s / step);
   if (!whole(scene.run.duration_s))
     warnings.push_back("run.duration_s: not a whole number of time steps (value " +
-                       plain_number_text(scene.run.duration_s) + ") the run ends at " + number_text(ends, 9) + " s");
+                       plain_number_text(scene.run.duration_s) + "); the run ends at " + number_text(ends, 9) + " s");
   if (scene.platform.present && !whole(scene.output.platform_interval_s))
     warnings.push_back("output.platform_interval_s: not a whole number of time steps (value " +
                        plain_number_text(scene.output.platform_interval_s) +
-                       ") samples will be uneven, and gem analyse and gem report need even ones; a time step is " +
+                       "); samples will be uneven, and gem analyse and gem report need even ones; a time step is " +
                        plain_number_text(step) + " s");
   const double window = step * std::max(1.0, std::round(scene.output.force_window_s / step));
   if (scene.platform.present && std::abs(window / scene.output.force_window_s - 1.0) > window_error)
     warnings.push_back("output.force_window_s: not a whole number of time steps (value " +
-                       plain_number_text(scene.output.force_window_s) + ") forces are means over " +
+                       plain_number_text(scene.output.force_window_s) + "); forces are means over " +
                        number_text(window, 9) + " s");
 }
 

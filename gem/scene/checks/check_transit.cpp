@@ -17,10 +17,10 @@ void check_ship_moves(const SceneDef& s, List& out) {
   if (!p.present || p.fixed)
     out.push_back({p.present ? "platform.fixed" : "platform.present",
                    std::string("a transit needs a platform that moves (value ") + (p.present ? "true" : "false") +
-                       ") set it otherwise, or remove [transit]"});
+                       "); set it otherwise, or remove [transit]"});
   else if (s.transit.way_point_m.size() > 1 && p.yaw == Yaw::locked && !runs_free(s.transit))
     out.push_back({"platform.yaw",
-                   "the ship turns at its way points (value \"locked\", allowed \"free\") set it "
+                   "the ship turns at its way points (value \"locked\", allowed \"free\"); set it "
                    "otherwise, or give one way point"});
 }
 
@@ -29,7 +29,7 @@ void check_ship_start(const SceneDef& s, List& out) {
   const PlatformDef& p = s.platform;
   const auto refuse = [&](const char* key, const std::string& value) {
     out.push_back({key, "the path gives the motion at the start (value " + value +
-                            ", allowed 0 with [transit]) remove it, and give transit.speed_m_per_s"});
+                            ", allowed 0 with [transit]); remove it, and give transit.speed_m_per_s"});
   };
   if (length(p.start_velocity_m_per_s) > 0.0)
     refuse("platform.start_velocity_m_per_s", pair_text(p.start_velocity_m_per_s));
@@ -42,16 +42,16 @@ void check_thrust(const SceneDef& s, List& out) {
   if (!runs_free(transit)) return;
   if (!(transit.open_water_speed_m_per_s > 0.0))
     out.push_back({"transit.open_water_speed_m_per_s",
-                   "a ship with thrust needs its speed in open water (value 0, allowed above 0) give it, or remove "
+                   "a ship with thrust needs its speed in open water (value 0, allowed above 0); give it, or remove "
                    "transit.bollard_thrust_N and give transit.speed_m_per_s"});
   if (transit.way_point_m.size() > 1)
     out.push_back({"transit.way_point_table",
                    "a ship with thrust keeps to a straight path (value " + std::to_string(transit.way_point_m.size()) +
-                       " way points, allowed 1) give one, or remove transit.bollard_thrust_N"});
+                       " way points, allowed 1); give one, or remove transit.bollard_thrust_N"});
   if (s.platform_drag.present)
     out.push_back({"platform_drag.present",
                    "the thrust of a ship in transit is what the resistance of the water leaves (value true, allowed "
-                   "false with transit.bollard_thrust_N) set it to false"});
+                   "false with transit.bollard_thrust_N); set it to false"});
 }
 
 /// A ship on its way has neither mooring nor thrusters nor heading control.
@@ -77,7 +77,7 @@ void check_legs(const SceneDef& s, List& out) {
                    "the arcs do not fit on the way to way point " + std::to_string(k) + " (" +
                        (std::isfinite(rests[k]) ? "they need " + number_text(-rests[k], 4) + " m more"
                                                 : "it lies on the place before it, or the ship turns back there") +
-                       ") move it, or give a smaller transit.turn_radius_m"});
+                       "); move it, or give a smaller transit.turn_radius_m"});
     return;
   }
 }
@@ -97,16 +97,16 @@ void warn_of_transit(const SceneDef& scene, std::vector<std::string>& warnings) 
   for (const auto& option : scene_options())
     if (!on && option.path.starts_with("transit.") && value_text(option.get(scene)) != value_text(option.get(usual)))
       warnings.push_back(option.path +
-                         ": has no effect (there is no transit) give transit.speed_m_per_s or "
+                         ": has no effect (there is no transit); give transit.speed_m_per_s or "
                          "transit.bollard_thrust_N");
   if (!on) return;
   if (!runs_free(transit) && transit.open_water_speed_m_per_s > 0.0)
     warnings.push_back(
-        "transit.open_water_speed_m_per_s: has no effect (the ship is towed) give transit.bollard_thrust_N");
+        "transit.open_water_speed_m_per_s: has no effect (the ship is towed); give transit.bollard_thrust_N");
   if (!transit.way_point_m.empty() && transit.course_rad != usual.transit.course_rad)
-    warnings.push_back("transit.course_rad: has no effect (the way points give the course) remove it");
+    warnings.push_back("transit.course_rad: has no effect (the way points give the course); remove it");
   if (transit.way_point_m.size() < 2 && transit.turn_radius_m != usual.transit.turn_radius_m)
-    warnings.push_back("transit.turn_radius_m: has no effect (the path is straight) remove it");
+    warnings.push_back("transit.turn_radius_m: has no effect (the path is straight); remove it");
 }
 
 }  // namespace gem

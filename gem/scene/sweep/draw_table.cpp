@@ -69,7 +69,7 @@ void read_values(const SweepTable& table, Distribution& law) {
     law.weights[i] = table.number(weights[i], "weights");
     if (!(law.weights[i] > 0.0))
       reject_key(weights[i].place, table.path("weights"),
-                 "out of range (value " + describe(weights[i]) + ", allowed above 0) leave out what never occurs");
+                 "out of range (value " + describe(weights[i]) + ", allowed above 0); leave out what never occurs");
   }
 }
 
@@ -124,14 +124,14 @@ void check_range(const SweepTable& table, const DrawVariable& variable) {
   if ((range.contains(law.lowest()) || (open && range.low <= 0.0)) && range.contains(law.highest())) return;
   reject_key(table.place(), table.path("law"),
              "values outside the range of " + variable.target.key + " may be drawn (" + law.text() + ", allowed " +
-                 range_text(range, variable.target.unit) + ") set low and high");
+                 range_text(range, variable.target.unit) + "); set low and high");
 }
 
 DrawVariable read_variable(const std::string& name, const TomlNode& node) {
   const SweepTable table(node, "sweep.draw.variable." + name);
   if (!is_variable_name(name))
     reject_key(node.key_place, "sweep.draw.variable",
-               "not a name (value " + quoted_text(name) + ") use at most " + std::to_string(name_maximum) +
+               "not a name (value " + quoted_text(name) + "); use at most " + std::to_string(name_maximum) +
                    " letters, digits, _ and -");
   DrawVariable variable;
   variable.name = name;
@@ -148,7 +148,7 @@ DrawVariable read_variable(const std::string& name, const TomlNode& node) {
   if (!(share >= share_minimum))
     reject_key(table.place(), table.path("law"),
                "hardly a value lies between the bounds (" + variable.distribution.text() + "; share " +
-                   number_text(share, 2) + ") correct mean, deviation or bounds");
+                   number_text(share, 2) + "); correct mean, deviation or bounds");
   return variable;
 }
 
@@ -161,7 +161,7 @@ void check_repeats(const SweepTable& table, const DrawTable& draw) {
                                   [](const DrawVariable& variable) { return variable.target.key == seed_key; });
   if (!seeded)
     reject_key(table.find("repeats")->place, table.path("repeats"),
-               "the repeats would be the same run (only run.seed differs between them) add a variable with key = "
+               "the repeats would be the same run (only run.seed differs between them); add a variable with key = "
                "\"run.seed\"");
 }
 
@@ -179,7 +179,7 @@ void check_names(const DrawTable& draw) {
   for (const DrawVariable& variable : draw.variables)
     if (variable.name == "A" || variable.name == "B")
       reject_key(variable.place, "sweep.draw.variable",
-                 "the name of a set of the saltelli design (value \"" + variable.name + "\") choose another name");
+                 "the name of a set of the saltelli design (value \"" + variable.name + "\"); choose another name");
 }
 
 }  // namespace

@@ -85,7 +85,7 @@ TomlNode number_node(double value, const DrawTarget& target, const TomlPlace& pl
   if (!std::isfinite(value) || (whole && std::abs(value) > largest_whole))
     reject_key(place, target.key,
                "a draw is no number that the key can hold (value " + number_text(value) +
-                   ") choose a law or a factor with smaller numbers");
+                   "); choose a law or a factor with smaller numbers");
   TomlNode node;
   node.kind = whole ? TomlKind::integer : TomlKind::number;
   if (whole)
@@ -129,7 +129,7 @@ DrawTarget draw_target(const TomlNode& node, const std::string& what) {
       reject_key(node.place, what, quoted_text(key) + " is a pair; draw " + key + ".x or " + key + ".y");
     reject_key(node.place, what,
                "only numbers can be drawn (" + quoted_text(key) + " is a " + type_name(option->type) +
-                   ") use an axis of the sweep for it");
+                   "); use an axis of the sweep for it");
   }
   if (auto target = in_pair(key)) return *target;
   if (auto target = in_list("ice.class", ice_class_options(), key)) return *target;

@@ -19,12 +19,12 @@ MemberDraws::MemberDraws(const TomlNode& sweep, std::size_t drafts) {
     throw Error(ExitCode::scene_rejected, to_string(draw->key_place) + ": sweep.draw: too many runs (" +
                                               std::to_string(table_->size()) + " for each of " +
                                               std::to_string(drafts) + " cases, allowed " +
-                                              std::to_string(members_maximum) + " in all) lower count or repeats");
+                                              std::to_string(members_maximum) + " in all); lower count or repeats");
   if (table_->size() * drafts * table_->variables.size() > numbers_maximum)
     throw Error(ExitCode::scene_rejected, to_string(draw->key_place) + ": sweep.draw: too many drawn numbers in all (" +
                                               std::to_string(table_->variables.size()) + " variables in " +
                                               std::to_string(table_->size() * drafts) + " runs, allowed " +
-                                              std::to_string(numbers_maximum) + ") lower count or draw less");
+                                              std::to_string(numbers_maximum) + "); lower count or draw less");
   sets_ = table_->sets();
 }
 

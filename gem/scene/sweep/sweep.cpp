@@ -96,7 +96,7 @@ std::vector<SweepMember> expand_sweep(TomlNode document, const std::vector<std::
   const auto check_listed = [sweep](std::size_t bodies) {
     if (bodies > listed_maximum)
       reject_sweep(sweep->key_place, "its runs list too many floes and fixed bodies together (allowed " +
-                                         std::to_string(listed_maximum) + ") keep the floes in a file");
+                                         std::to_string(listed_maximum) + "); keep the floes in a file");
   };
   check_listed(drafts.size() * draws.per_draft() * (base_scene.floe.size() + base_scene.fixed.size()));
   std::vector<SweepMember> members;

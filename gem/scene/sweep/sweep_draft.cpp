@@ -140,7 +140,7 @@ class ProductSweep {
       if (target.text == list || target.text.starts_with(std::string(list) + "."))
         reject_key(target.place, "sweep.map." + axis,
                    "map cannot address a list (value " + quoted_text(target.text) +
-                       ") give the list for each value: [sweep.set." + axis + "] with \"" + label(first_value(axis)) +
+                       "); give the list for each value: [sweep.set." + axis + "] with \"" + label(first_value(axis)) +
                        "\"." + list + " = [{ ... }]");
   }
 

@@ -164,7 +164,7 @@ TEST(Sweep, FaultsAreNamedWithTheirPlace) {
       {"[sweep]\nmode = \"product\"\nname = \"{gap}\"\ngap = [50]\nmap.gap = \"boundary.gap_m\"\n",
        "bad.toml:4:8: boundary.gap_m: the platform does not fit"},
       {"[sweep]\nmode = \"product\"\nname = \"{h}\"\nh = [0.5, 1.2]\nmap.h = \"ice.class.thickness_m\"\n",
-       "bad.toml:5:9: sweep.map.h: map cannot address a list (value \"ice.class.thickness_m\") give the list for each "
+       "bad.toml:5:9: sweep.map.h: map cannot address a list (value \"ice.class.thickness_m\"); give the list for each "
        "value: [sweep.set.h] with \"0.5\".ice.class = [{ ... }]"},
       {"[sweep]\nmode = \"product\"\nname = \"{i}\"\ni = [\"a\"]\nset.i.b.run.seed = 1\n", "no settings for \"a\""},
       {"[sweep]\nmode = \"product\"\nname = \"{i}\"\ni = [\"a\"]\nset.i.a.run.seed = 1\nset.i.b.run.seed = 1\n",
@@ -173,7 +173,7 @@ TEST(Sweep, FaultsAreNamedWithTheirPlace) {
        "bad.toml:3:15: sweep.seeds.count: out of range"},
       {"[sweep]\nmode = \"list\"\n[[sweep.run]]\nmooring.stiffness_N_per_m = 1\n", "sweep.run.name: missing"},
       {"[sweep]\nmode = \"list\"\nrum = 1\n",
-       "bad.toml:3:1: sweep.rum: unknown key (known are mode, run, seeds and draw) did you mean `run`"},
+       "bad.toml:3:1: sweep.rum: unknown key (known are mode, run, seeds and draw); did you mean `run`"},
   };
   for (const BadSweep& sweep : bad) {
     try {

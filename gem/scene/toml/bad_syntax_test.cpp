@@ -40,7 +40,7 @@ INSTANTIATE_TEST_SUITE_P(
         BadScene{"number_with_unit",
                  "[platform_drag]\ndraft_m = 8.0 m  # deep\n",
                  {"bad.toml:2:",
-                  "platform_drag.draft_m: a number with a unit (value 8.0 m) write the number alone; "
+                  "platform_drag.draft_m: a number with a unit (value 8.0 m); write the number alone; "
                   "the unit is in the key's name"}},
         BadScene{"number_with_unit_and_no_blank",
                  "[run]\nduration_s = 20min\n",
@@ -50,13 +50,13 @@ INSTANTIATE_TEST_SUITE_P(
                  {"current.velocity_m_per_s: a number with a unit (value 0.5 m/s)"}},
         BadScene{"choice_without_quotes",
                  "[contact]\nsolver = coupled\n",
-                 {"contact.solver: a text needs quotes (value coupled, allowed independent, coupled) write "
+                 {"contact.solver: a text needs quotes (value coupled, allowed independent, coupled); write "
                   "\"coupled\""}},
         BadScene{
             "text_without_quotes", "[run]\nname = 20min_of_ice # a comment\n", {"bad.toml:2:", "run.name: malformed"}},
         BadScene{"text_with_a_dot_without_quotes",
                  "[floes]\npath = ice.csv\n",
-                 {"floes.path: a text needs quotes (value ice.csv) write \"ice.csv\""}},
+                 {"floes.path: a text needs quotes (value ice.csv); write \"ice.csv\""}},
         BadScene{"flag_in_capitals",
                  "[platform]\nfixed = True\n",
                  {"platform.fixed: wrong type (value True, expected true or false)"}},

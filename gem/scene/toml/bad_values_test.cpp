@@ -27,7 +27,7 @@ INSTANTIATE_TEST_SUITE_P(
                  {"bad.toml:2:11: platform.mass_kg: wrong type (value \"1e8 kg\", expected a number in kg)"}},
         BadScene{"unit_in_the_text",
                  "[platform]\nmass_kg = \"1e8 kg\"\n",
-                 {"expected a number in kg) write the number alone; the unit is in the key's name"}},
+                 {"expected a number in kg); write the number alone; the unit is in the key's name"}},
         BadScene{"text_for_number_without_unit",
                  "[platform]\nmass_kg = \"heavy\"\n",
                  {"bad.toml:2:11: platform.mass_kg: wrong type (value \"heavy\", expected a number in kg)"}},

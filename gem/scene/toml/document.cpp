@@ -39,11 +39,11 @@ fs::path resolved_path(const fs::path& path) {
 std::string read_text(const std::string& path) {
   std::error_code code;
   if (fs::is_directory(path, code))
-    throw Error(ExitCode::file_system, "cannot read " + quoted_text(path) + " (it is a directory) name a case file");
+    throw Error(ExitCode::file_system, "cannot read " + quoted_text(path) + " (it is a directory); name a case file");
   std::ifstream file(path, std::ios::binary);
   if (!file)
     throw Error(ExitCode::file_system,
-                "cannot read " + quoted_text(path) + " (" + std::strerror(errno) + ") check the path");
+                "cannot read " + quoted_text(path) + " (" + std::strerror(errno) + "); check the path");
   // Reading one byte more than allowed is enough to refuse a file of any size.
   std::string text(toml_bytes_maximum + 1, '\0');
   file.read(text.data(), static_cast<std::streamsize>(text.size()));
@@ -188,7 +188,7 @@ TomlNode parse_override(const std::string& text) {
                       (fault.text.empty() ? "" : ", in a shell --set '" + key + "=" + quoted_text(fault.text) + "'"));
     const bool is_indexed = key.find('[') != std::string::npos;
     throw Error(error.code(), std::string(error.what()) +
-                                  (is_indexed ? " (--set cannot change one entry of a list) give the whole list, e.g. "
+                                  (is_indexed ? " (--set cannot change one entry of a list); give the whole list, e.g. "
                                                 "'ice.class=[{name=\"thin\", thickness_m=0.7, tenths=4}]'"
                                               : " (--set takes key=value in TOML syntax; text that is not one word "
                                                 "needs quotes)"));

@@ -25,7 +25,7 @@ class ValueReader {
   std::nullopt_t wrong_type(const TomlNode& node) {
     const bool has_unit = node.kind == TomlKind::text && is_number_with_unit(node.text);
     return reject(node, "wrong type (value " + describe(node) + ", expected " + expected_text(info_) + ")" +
-                            (has_unit ? " write the number alone; the unit is in the key's name" : ""));
+                            (has_unit ? "; write the number alone; the unit is in the key's name" : ""));
   }
 
   std::optional<double> number(const TomlNode& node) {
@@ -39,7 +39,7 @@ class ValueReader {
     }
     if (!std::isfinite(value))
       return reject(node, "not finite (value " + describe(node) + ", allowed " + range_text(info_.range, info_.unit) +
-                              ") give a finite number");
+                              "); give a finite number");
     if (!info_.range.contains(value)) return reject(node, out_of_range(node));
     return value + 0.0;  // -0 becomes 0, so that one value has one text and one hash
   }
@@ -109,7 +109,7 @@ class ValueReader {
   }
 
   std::string out_of_range(const TomlNode& node) const {
-    const std::string hint = info_.unit.empty() ? "" : " give it in " + info_.unit;
+    const std::string hint = info_.unit.empty() ? "" : "; give it in " + info_.unit;
     return "out of range (value " + describe(node) + ", allowed " + range_text(info_.range, info_.unit) +
            (info_.why.empty() ? "" : ": " + info_.why) + ")" + hint;
   }

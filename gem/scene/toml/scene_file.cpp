@@ -93,7 +93,7 @@ void check_same_floes(const SceneDef& scene, const std::vector<FloeDef>& floes) 
   throw Error(ExitCode::scene_rejected,
               "floes.sha256: " + quoted_text(scene.floes.path) + " holds other floes than the case names (SHA-256 " +
                   found + ", the case says " + scene.floes.sha256 +
-                  ") restore the file, or leave floes.sha256 out to run with the floes that it holds");
+                  "); restore the file, or leave floes.sha256 out to run with the floes that it holds");
 }
 
 }  // namespace gem

@@ -224,7 +224,7 @@ TEST(SceneWarnings, DragThatDoesNothingIsNamed) {
   const auto warned = [](const std::string& text) { return scene_warnings(parse_scene(text, "t.toml")); };
   const std::string law = "[platform_drag]\nlaw = \"by_axis\"\n", on = "present = true\nwater = \"current\"\n";
   EXPECT_EQ(warned(law).at(0),
-            "platform_drag.law: has no effect (platform_drag.present is false) set platform_drag.present = true");
+            "platform_drag.law: has no effect (platform_drag.present is false); set platform_drag.present = true");
   EXPECT_NE(warned("[platform_drag]\ndraft_m = 8.0\n").at(0).find("platform_drag.draft_m: has no effect"),
             std::string::npos);
   EXPECT_TRUE(warned(law + on).empty());
@@ -235,7 +235,7 @@ TEST(SceneWarnings, DragThatDoesNothingIsNamed) {
   const std::string fixed = "[platform]\nfixed = true\n";
   EXPECT_TRUE(warned(fixed).empty());
   EXPECT_EQ(warned(fixed + law + on).at(0),
-            "platform_drag.present: has no effect (the platform is fixed) set platform_drag.present = false");
+            "platform_drag.present: has no effect (the platform is fixed); set platform_drag.present = false");
 }
 
 TEST(SceneWarnings, DragInStillWaterBesideACurrentIsNamed) {

@@ -43,7 +43,7 @@ T read_entry(const TomlNode& node, const std::string& key, const std::vector<Opt
   for (const auto& [name, value] : node.entries) {
     const Option<T>* option = find_option(options, name);
     if (option == nullptr)
-      problems.add(value.key_place, key + "." + name, "unknown key;" + suggestion_or_list(name, paths_of(options, "")));
+      problems.add(value.key_place, key + "." + name, "unknown key" + suggestion_or_list(name, paths_of(options, "")));
     else if (const auto read = read_value(*option, key + "." + name, value, problems))
       option->set(out, *read);
   }
@@ -79,7 +79,7 @@ void read_section(const std::string& section, const TomlNode& node, SceneDef& sc
       if (!value.old_key.empty())
         scene.notes.push_back(section + "." + value.old_key + " is now called " + path + "; both names are read");
     } else {
-      problems.add(value.key_place, path, "unknown key;" + suggestion_or_list(path, known_keys()));
+      problems.add(value.key_place, path, "unknown key" + suggestion_or_list(path, known_keys()));
     }
   }
 }
@@ -130,7 +130,7 @@ SceneDef scene_from_tree(const TomlNode& document, Problems& problems) {
       std::vector<std::string> candidates = known_keys();
       if (table) candidates.assign(sections.begin(), sections.end());
       problems.add(value.key_place, name,
-                   (table ? "unknown section;" : "unknown key;") + suggestion_or_list(name, candidates));
+                   (table ? "unknown section" : "unknown key") + suggestion_or_list(name, candidates));
     } else if (value.kind != TomlKind::table) {
       problems.add(value.place, name, "wrong type (value " + describe(value) + ", expected [" + name + "])");
     } else {

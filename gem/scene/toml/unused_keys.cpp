@@ -45,10 +45,10 @@ void check_unused_keys(const TomlNode& document, const SceneDef& scene, Problems
     const std::string choice = needed.first + " = \"" + needed.second + "\"";
     const std::string them = options.size() == 1 ? "it" : "them";
     const Options instead = options_instead(needed.first, scene);
-    std::string advice = " set " + choice + ", or remove " + them;
+    std::string advice = "; set " + choice + ", or remove " + them;
     if (find_path(document, needed.first) != nullptr)
       advice =
-          " remove " + them +
+          "; remove " + them +
           (instead.empty() ? ""
                            : "; " + listed(instead, 0) + (instead.size() == 1 ? " counts" : " count") + " instead") +
           ", or set " + choice;

@@ -63,11 +63,11 @@ const OptionInfo* option_of(const std::string& key) {
 
 /// A text that lacks its quotes.
 ValueFault text_fault(const std::string& value, const std::vector<std::string>& choices) {
-  if (choices.empty()) return {"a text needs quotes (value " + value + ") write " + quoted_text(value), value};
+  if (choices.empty()) return {"a text needs quotes (value " + value + "); write " + quoted_text(value), value};
   std::string allowed;
   for (const std::string& name : choices) allowed += (allowed.empty() ? "" : ", ") + name;
   const std::string nearest = nearest_name(value, choices), text = nearest.empty() ? choices.front() : nearest;
-  return {"a text needs quotes (value " + value + ", allowed " + allowed + ") write " +
+  return {"a text needs quotes (value " + value + ", allowed " + allowed + "); write " +
               (nearest.empty() ? "one of them in quotes, e.g. " : "") + quoted_text(text),
           text};
 }
@@ -95,7 +95,7 @@ ValueFault value_fault(const std::string& key, std::string_view line) {
       line, [&](std::string_view word) { return is_text_without_quotes(word) || is_number_with_unit(word); }));
   if (value.empty()) return {};
   if (is_number_with_unit(value) && !holds_text)
-    return {"a number with a unit (value " + value + ") write the number alone; the unit is in the key's name", ""};
+    return {"a number with a unit (value " + value + "); write the number alone; the unit is in the key's name", ""};
   if (option != nullptr && !holds_text)
     return {"wrong type (value " + value + ", expected " + expected_text(*option) + ")", ""};
   return text_fault(value, option == nullptr ? std::vector<std::string>{} : option->choices);

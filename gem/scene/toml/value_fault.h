@@ -11,7 +11,7 @@ bool is_number_with_unit(std::string_view text);
 
 /// What is wrong with such a value, for a message.
 struct ValueFault {
-  std::string problem;  ///< "problem (value, allowed) suggestion"; empty: no such value
+  std::string problem;  ///< "problem (value, allowed); suggestion"; empty: no such value
   std::string text;     ///< what may stand there in quotes; empty: nothing
 };
 

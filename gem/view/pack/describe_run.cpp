@@ -53,7 +53,7 @@ Json side_impulse_json(const RunFile& file, std::size_t sides) {
     if (values.size() != piece.rows * sides)
       throw Error(ExitCode::file_system,
                   "cannot read " + shown(file.path()) +
-                      " (platform/side_impulse does not fit the outline) the file may be damaged");
+                      " (platform/side_impulse does not fit the outline); the file may be damaged");
     for (std::size_t i = 0; i < values.size(); ++i)
       if (std::isfinite(values[i])) sums[i % sides] += values[i];
   });

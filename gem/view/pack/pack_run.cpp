@@ -48,7 +48,7 @@ std::size_t parts_of(std::size_t whole, std::size_t part) {
 
 [[noreturn]] void refuse_shape(const RunFile& file, const std::string& why) {
   throw Error(ExitCode::file_system, "cannot read " + shown(file.path()) + " (" + why +
-                                         ") the file may be damaged or made by another program");
+                                         "); the file may be damaged or made by another program");
 }
 
 }  // namespace

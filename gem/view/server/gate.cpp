@@ -12,7 +12,7 @@ namespace gem::view {
 std::string new_token() {
   std::array<unsigned char, 16> bytes{};
   if (getrandom(bytes.data(), bytes.size(), 0) != ssize_t(bytes.size()))
-    throw Error(ExitCode::device, "no key for the page (the system gives no random numbers) use --out");
+    throw Error(ExitCode::device, "no key for the page (the system gives no random numbers); use --out");
   constexpr char digits[] = "0123456789abcdef";
   std::string token;
   for (const unsigned char byte : bytes) {

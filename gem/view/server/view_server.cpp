@@ -33,7 +33,7 @@ struct ViewServer::Inside {
   Inside(Site& served, const std::string& token)
       : site(served), port(server.bind_to_any_port("127.0.0.1")), gate(token, port) {
     if (port <= 0)
-      throw Error(ExitCode::device, "cannot serve the page (no port can be had at 127.0.0.1) use gem view --out");
+      throw Error(ExitCode::device, "cannot serve the page (no port can be had at 127.0.0.1); use gem view --out");
     server.set_payload_max_length(1024);
     server.set_default_headers({{"Cache-Control", "no-store"},
                                 {"Content-Security-Policy", content_security_policy(true)},

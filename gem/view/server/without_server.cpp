@@ -9,7 +9,7 @@ struct ViewServer::Inside {};
 ViewServer::ViewServer(Site&, const std::string&) {
   throw Error(
       ExitCode::usage,
-      "this program cannot serve a page (it was built without libcpp-httplib-dev) use gem view FILE --out PAGE.html");
+      "this program cannot serve a page (it was built without libcpp-httplib-dev); use gem view FILE --out PAGE.html");
 }
 ViewServer::~ViewServer() = default;
 int ViewServer::port() const { return -1; }

@@ -104,7 +104,7 @@ std::string distances_text(const std::vector<Planned>& plans, const std::vector<
 
 int run(const std::vector<std::string>& arguments) {
   if (arguments.size() != 4)
-    throw Error(ExitCode::usage, "wrong arguments (not CASE SECONDS THREADS DISTANCES.csv) give these four");
+    throw Error(ExitCode::usage, "wrong arguments (not CASE SECONDS THREADS DISTANCES.csv); give these four");
   const double seconds = study::positive(arguments[1]), threads = study::positive(arguments[2]);
   std::vector<Planned> plans;
   for (const char* contacts : {"coupled", "independent"})

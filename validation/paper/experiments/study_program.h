@@ -14,7 +14,7 @@ namespace gem::study {
 inline double positive(const std::string& text) {
   const auto value = parse_number(text);
   if (!value || !(*value > 0.0))
-    throw Error(ExitCode::usage, "'" + text + "' is no number above 0 (of seconds or threads) give one");
+    throw Error(ExitCode::usage, "'" + text + "' is no number above 0 (of seconds or threads); give one");
   return *value;
 }
 
@@ -23,7 +23,7 @@ inline void write(const std::string& name, const std::string& text) {
   file << text;
   file.close();
   if (!file)
-    throw Error(ExitCode::file_system, "cannot write " + name + " (disk full or no permission) choose another");
+    throw Error(ExitCode::file_system, "cannot write " + name + " (disk full or no permission); choose another");
 }
 
 /// The exit code of a program that calls run(arguments). Errors are reported on standard error.

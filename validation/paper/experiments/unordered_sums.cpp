@@ -172,7 +172,7 @@ std::string distances_text(const std::vector<Planned>& runs, const std::vector<D
 
 int run(const std::vector<std::string>& arguments) {
   if (arguments.size() != 5)
-    throw Error(ExitCode::usage, "wrong arguments (not CASE SECONDS THREADS RUNS.csv DISTANCES.csv) give these five");
+    throw Error(ExitCode::usage, "wrong arguments (not CASE SECONDS THREADS RUNS.csv DISTANCES.csv); give these five");
   const double seconds = study::positive(arguments[1]), threads = study::positive(arguments[2]);
   const std::vector<Planned> runs = plan();
   for (const Planned& one : runs) scene_of(one, arguments[0]);  // an error in the case shows here, not in a thread

@@ -21,7 +21,7 @@ void write(const std::filesystem::path& path, const std::string& text) {
   file.close();
   if (!file)
     throw Error(ExitCode::file_system,
-                "cannot write " + path.string() + " (disk full or no permission) choose another output folder");
+                "cannot write " + path.string() + " (disk full or no permission); choose another output folder");
 }
 
 /// Refuses a folder without runs: an empty report would replace a good one.
@@ -29,7 +29,7 @@ void check_runs(const PaperFolder& folder) {
   if (!folder.conditions.empty()) return;
   const std::string reason = folder.refused.empty() ? "no file *.h5 is there" : folder.refused.front();
   throw Error(ExitCode::file_system,
-              "no run was read (" + reason + ") name folders of run files or of what `gem_paper collect` made");
+              "no run was read (" + reason + "); name folders of run files or of what `gem_paper collect` made");
 }
 
 void append(std::vector<PaperFigure>& all, std::vector<PaperFigure> more) {

@@ -20,7 +20,7 @@ std::vector<fs::path> files_of(const std::string& name) {
     if (entry->path().extension() == ".h5") files.push_back(entry->path());
   if (failed)
     throw Error(ExitCode::file_system, "cannot read the folder " + shown(name) + " (" + failed.message() +
-                                           ") name the folder of the run files or summaries");
+                                           "); name the folder of the run files or summaries");
   std::sort(files.begin(), files.end());
   return files;
 }

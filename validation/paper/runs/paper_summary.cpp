@@ -87,7 +87,7 @@ void read_numbers(const SummaryTable& table, std::vector<PaperRun>& runs) {
 }
 
 [[noreturn]] void reject(const std::string& origin, const std::string& problem) {
-  throw Error(ExitCode::file_system, "cannot read " + shown(origin) + " (" + problem + ") collect the runs again");
+  throw Error(ExitCode::file_system, "cannot read " + shown(origin) + " (" + problem + "); collect the runs again");
 }
 
 /// Interval of the path; 0 if only one sample was kept.

@@ -85,7 +85,7 @@ Catalogue parse_catalogue(const std::string& text, const std::string& origin) {
     return catalogue;
   } catch (const std::exception& problem) {
     throw Error(ExitCode::file_system,
-                shown(origin) + ": not the list of the paper's statements (" + problem.what() + ") mend the file");
+                shown(origin) + ": not the list of the paper's statements (" + problem.what() + "); mend the file");
   }
 }
 
@@ -93,7 +93,7 @@ Catalogue read_catalogue(const std::string& path) {
   std::ifstream file(path, std::ios::binary);
   if (!file)
     throw Error(ExitCode::file_system, "cannot read " + shown(path) +
-                                           " (no such file or no permission) name it with --statements: it is "
+                                           " (no such file or no permission); name it with --statements: it is "
                                            "validation/paper/paper.json of gem's sources");
   std::ostringstream text;
   text << file.rdbuf();

@@ -33,7 +33,7 @@ class RowFile {
   }
   Error fault(const std::string& why) const {
     return Error(ExitCode::file_system, "cannot read " + path_ + " (" + why + " in line " + std::to_string(line_) +
-                                            ") make it again by " + maker_);
+                                            "); make it again by " + maker_);
   }
   double number(const std::string& field) const {
     const auto value = parse_number(field);

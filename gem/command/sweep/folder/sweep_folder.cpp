@@ -81,7 +81,7 @@ SweepLock enter_folder(const std::string& folder, const std::vector<SweepRow>& r
   });
   if (other != all.end() && !SweepLock::try_folder(folder, true))
     throw Error(ExitCode::file_system, "another sweep runs in " + shown(folder) + " (its " + shown(other->name) +
-                                           " has another case than here) choose another --out");
+                                           " has another case than here); choose another --out");
   auto share = SweepLock::try_folder(folder, false);
   std::vector<SweepRow> added = rows;
   std::erase_if(added, [&known](const SweepRow& row) { return known.count({row.name, row.case_sha256}) > 0; });

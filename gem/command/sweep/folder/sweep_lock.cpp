@@ -33,7 +33,7 @@ int open_locks(const std::string& folder) {
   const int file = open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
   if (file >= 0) return file;
   throw Error(ExitCode::file_system,
-              "cannot open " + shown(path) + " (" + system_reason(errno) + ") choose a folder that can be written");
+              "cannot open " + shown(path) + " (" + system_reason(errno) + "); choose a folder that can be written");
 }
 
 /// Locks one byte (F_OFD_SETLK, F_OFD_SETLKW) or asks who holds it (F_OFD_GETLK). `kind` is F_WRLCK (exclusive) or
@@ -51,7 +51,7 @@ bool lock_byte(int file, int command, std::int64_t place, const std::string& fol
   if (result == 0) return command != F_OFD_GETLK || range.l_type == F_UNLCK;
   if (errno == EAGAIN || errno == EACCES) return false;
   throw Error(ExitCode::file_system, "cannot lock " + shown(folder) + "/.lock (" + system_reason(errno) +
-                                         ") choose a folder on a file system with locks");
+                                         "); choose a folder on a file system with locks");
 }
 
 }  // namespace

@@ -36,7 +36,7 @@ std::string updates_path(const std::string& folder) { return folder + "/manifest
 
 [[noreturn]] void throw_unwritable(const std::string& path, int fault) {
   throw Error(ExitCode::file_system, "cannot write " + shown(path) + " (" + std::generic_category().message(fault) +
-                                         ") free disk space or choose another --out");
+                                         "); free disk space or choose another --out");
 }
 
 /// Tells one file of a name from the next: inode, and seconds and nanoseconds of its last change. Zeros: no file.

@@ -31,6 +31,8 @@ class GradientControl {
   GEM_HD double error() const { return error_; }
   /// What a point asked for at most when the iterations were last judged [m/s].
   GEM_HD double largest_asked() const { return largest_; }
+  /// Whether they ran away, or met what is no number: nothing of them may stay.
+  GEM_HD bool ran_away() const { return !(largest_ <= bound_); }
 
   /// Begins an iteration. Returns how far the additions are extrapolated along their last change (Nesterov 1983).
   GEM_HD float begin_iteration() {

@@ -109,14 +109,15 @@ bool IslandGradient::solve(std::span<const IslandBody> bodies, std::span<const I
     move();
   }
   const bool done = next == GradientControl::Next::done;
-  if (done || keeps)
+  const bool kept = keeps && !course.ran_away();
+  if (done || kept)
     for (std::size_t k = 0; k < points.size(); ++k)
       *points[k].impulse = with_answer(block_[k / float_lanes], static_cast<int>(k % float_lanes), control.friction,
                                        *points[k].geometry, points[k].spare, *points[k].impulse);
   if (done) {
     result.iterations = std::max(result.iterations, course.iteration());
     result.error = course.error();
-  } else if (keeps) {
+  } else if (kept) {
     result.error = larger(result.error, course.largest_asked());
   }
   return done;

@@ -17,7 +17,8 @@ class IslandGradient {
  public:
   /// Iterates until the tolerance is met, or until that takes too long. `motion`: of each body after the impulses on
   /// entry. Returns whether the tolerance was met; then sets the error, and the iterations unless splitting had more.
-  /// `keeps`: whether the impulses that were reached stay if it was not; then raises the error to what they ask for.
+  /// `keeps`: whether the impulses that were reached stay if it was not, unless they ran away; then raises the error to
+  /// what they ask for.
   bool solve(std::span<const IslandBody> bodies, std::span<const IslandPoint> points,
              std::span<const Motion<double>> motion, const IslandControl& control, bool keeps, IslandResult& result);
 

@@ -84,6 +84,7 @@ TEST(GradientControl, GivesUpWhereAPointStaysFarOff) {
       while (next == GradientControl::Next::iteration) next = judge(course, {4 * few, asked});
       EXPECT_EQ(next, GradientControl::Next::give_up);
       EXPECT_EQ(course.iteration(), 16);
+      EXPECT_TRUE(course.ran_away());
     }
 }
 
@@ -94,6 +95,7 @@ TEST(GradientControl, GoesOnInAJamToItsLastIteration) {
     while (next == GradientControl::Next::iteration) next = judge(course, {4 * few, 0.5F});
     EXPECT_EQ(next, GradientControl::Next::give_up);
     EXPECT_EQ(course.iteration(), most == 384 ? 300 : 188);
+    EXPECT_FALSE(course.ran_away());
   }
 }
 

@@ -19,10 +19,9 @@ struct IslandCounters {
   std::int32_t of_class[island_classes], placed[island_classes];
   std::int32_t next_large, next_block, next_small;              // islands that were taken
   std::int32_t body_slots, point_slots, drafts, slots, sorted;  // in use
-  std::int32_t solved;
-  std::uint32_t iterations;  // the most of all islands
-  std::uint64_t numbers;     // of factors, in use
-  std::uint64_t error_bits;  // of the largest error of all islands
+  std::uint32_t iterations;                                     // the most of all islands
+  std::uint64_t numbers;                                        // of factors, in use
+  std::uint64_t error_bits;                                     // of the largest error of all islands
 };
 
 /// A point in its island, as the iterations read it: the places of its bodies in the order of elimination, and its

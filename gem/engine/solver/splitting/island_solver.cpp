@@ -167,7 +167,8 @@ GEM_CLONES SplittingDifferences IslandSolver::compare(const IslandControl& contr
   SplittingDifferences d;
   d.points = blocks_.mismatch(now_, per_step);
   const FloatPack speed{1.0F, 1.0F, 1.0F, 1.0F, per_step, per_step, per_step, per_step};
-  FloatPack bodies{}, change{}, motion{}, total{};
+  FloatPack bodies{}, change{}, motion{};
+  FloatMask infinite{};
   for (std::size_t k = 1; k < now_.size(); ++k) {
     const FloatPack scale = scale_[k - 1].lanes, mass = mass_[k - 1].lanes;
     // lanes without a mass are not a number in a quotient, and stay out of it
@@ -175,7 +176,7 @@ GEM_CLONES SplittingDifferences IslandSolver::compare(const IslandControl& contr
     bodies = larger(bodies, magnitude(given_[k].lanes * inverse - now_[k].lanes) * scale);
     change = larger(change, magnitude(given_[k].lanes - last_given_[k].lanes) * inverse * scale);
     motion = larger(motion, magnitude(now_[k].lanes) * scale);
-    total += magnitude(now_[k].lanes);
+    infinite |= ~(magnitude(now_[k].lanes) <= FloatPack{} + std::numeric_limits<float>::max());
   }
   // by reference: a pack passed by value reads as another in a build that does not inline, since the clones for AVX2
   // hand it over in another register
@@ -187,10 +188,9 @@ GEM_CLONES SplittingDifferences IslandSolver::compare(const IslandControl& contr
   d.bodies = largest(bodies);
   d.change = largest(change);
   d.motion = largest(motion);
-  // the larger of two numbers forgets one that is not a number; their sum does not
-  float all = 0.0F;
-  for (int lane = 0; lane < float_lanes; ++lane) all += total[lane];
-  if (!(all < std::numeric_limits<float>::infinity())) d.points = std::numeric_limits<float>::infinity();
+  // the larger of two numbers forgets one that is not a number
+  for (int lane = 0; lane < float_lanes; ++lane)
+    if (infinite[lane] != 0) d.points = std::numeric_limits<float>::infinity();
   return d;
 }
 

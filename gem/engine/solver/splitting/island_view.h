@@ -64,7 +64,7 @@ struct IslandCell {
   std::uint32_t points_bits, bodies_bits, change_bits, motion_bits;
   double share;
   bool joins_rounds;  // of GradientPlan
-  std::int32_t branches, trunk_bodies;
+  std::int32_t branches;
   TreePart trunk;
   std::int32_t branch[trunk_nodes / 2 + 1];  // node at the top of each branch
 };

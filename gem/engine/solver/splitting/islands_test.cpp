@@ -340,5 +340,26 @@ TEST(Islands, OfAnyNumberOfThreadsHaveTheSameBits) {
   }
 }
 
+// Iterations that a jam keeps where they end at their last one, but not where they ran away.
+TEST(Islands, KeepNoGradientIterationsThatRanAway) {
+  for (const double velocity : {1.0, 1e30, std::nan("")}) {
+    Sheet sheet;
+    sheet.bodies[7].velocity.x = velocity;
+    std::vector<IslandPoint> points;
+    std::vector<Motion<double>> motion;
+    for (std::size_t k = 0; k < sheet.ends.size(); ++k)
+      points.push_back({sheet.ends[k].first, sheet.ends[k].second, &sheet.geometry[k], &sheet.impulse[k], {}, true});
+    for (const IslandBody& b : sheet.bodies) motion.push_back({b.velocity.x, b.velocity.y, b.spin, 0.0, 0.0, 0.0});
+    IslandControl control = control_of(1e-6, 40);
+    control.jam = true;
+    IslandResult result;
+    EXPECT_FALSE(IslandGradient().solve(sheet.bodies, points, motion, control, true, result));
+    const bool stayed = std::all_of(sheet.impulse.begin(), sheet.impulse.end(), [](const PointImpulse<double>& i) {
+      return i.normal == 0.0 && i.tangential == 0.0 && i.repair == 0.0;
+    });
+    EXPECT_EQ(stayed, velocity != 1.0) << velocity;
+  }
+}
+
 }  // namespace
 }  // namespace gem

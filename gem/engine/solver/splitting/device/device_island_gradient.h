@@ -73,10 +73,11 @@ class DeviceIslandGradient : private DeviceIslandPoints<Team> {
       move();
     }
     const bool done = next == GradientControl::Next::done;
-    if (done || keeps) this->template add_to_base<Point>();
+    const bool kept = keeps && !course.ran_away();
+    if (done || kept) this->template add_to_base<Point>();
     if (done)
       this->note(iterations > course.iteration() ? iterations : course.iteration(), course.error());
-    else if (keeps)
+    else if (kept)
       error = larger(error, static_cast<double>(course.largest_asked()));
     return done;
   }

@@ -31,7 +31,6 @@ class DeviceIslandPoints {
   /// Notes the end of an island.
   GEM_DEVICE void note(std::int64_t iterations, double error) {
     if (team_.rank() != 0) return;
-    Atomics::add(&s_.island.counters->solved, 1);
     Atomics::highest(&s_.island.counters->iterations, static_cast<std::uint32_t>(iterations));
     if (!(error <= 0.0)) Atomics::highest(&s_.island.counters->error_bits, strict::bits_of(error));
   }

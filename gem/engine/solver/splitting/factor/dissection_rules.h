@@ -21,7 +21,7 @@ struct CutStrips {
   double least = 0.0, most = 0.0;
 
   GEM_HD std::int32_t bin_of(double at) const {
-    const double scale = most > least ? bins / (most - least) : 0.0;
+    const double scale = most - least > 1e-300 ? bins / (most - least) : 0.0;  // a smaller width has no finite inverse
     const auto bin = static_cast<std::int32_t>((at - least) * scale);
     return bin < bins - 1 ? bin : bins - 1;
   }

@@ -1,4 +1,4 @@
-// Algorithm of one time step with the default iteration (splitting/islands.h has the other one):
+// Algorithm of one time step with numerics.iteration = "gradient" (splitting/islands.h has that of "splitting"):
 //   base: the impulses of the same contact points in the last time step, and the velocities from them
 //   rounds until the residual is met, or until the largest number of iterations; each round:
 //     iterate from the base, in single precision:

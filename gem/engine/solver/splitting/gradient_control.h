@@ -1,5 +1,6 @@
 // The course of the gradient iterations of an island: how far they extrapolate, when they are judged, when they end.
-// The numbers were chosen in drift and jams (bench/notebook.md, "Gradient iterations first").
+// The numbers were chosen in drift and jams (bench/notebook.md: "Gradient iterations first", "Plugs are no chains",
+// "What stalls in a jam").
 #pragma once
 
 #include <cstdint>
@@ -46,7 +47,7 @@ class GradientControl {
   /// Units for 1 m/s.
   GEM_HD float units() const { return static_cast<float>(static_cast<double>(asked_units) / tolerance_); }
   static constexpr std::uint64_t asked_units = RoundControl::asked_units;
-  /// So many units are too many for any island, and no point counts more.
+  /// So many units are too many for any island, and no point counts more than one unit beyond.
   static constexpr std::int32_t too_many_units = static_cast<std::int32_t>(asked_units) + 1;
   /// What a point asks for [m/s], in units, rounded up; whole numbers, so that sums have no order.
   GEM_HD static std::int32_t units_of(float asked, float units_per_speed) {

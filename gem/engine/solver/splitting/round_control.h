@@ -16,10 +16,10 @@ struct SplittingDifferences {
   float motion = 0.0F;  // of the bodies since the base
 };
 
-/// An attempt takes every point for one that stays as it is, touching or not, sliding or not: it is so stiff that a
-/// push passes through a chain of any length at once, and it finds nothing where many points change. A full round finds
-/// what changes, and takes many iterations for a push through a long chain. A short round leaves the end to gradient
-/// iterations.
+/// An attempt is very stiff: in effect no contact opens, closes or begins to slide, and a push crosses a chain of any
+/// length in one iteration. Where many contacts change, it does not converge, and its result is dropped. A full round
+/// finds which contacts change, but needs many iterations for a push through a long chain. A short round leaves the end
+/// to gradient iterations.
 enum class RoundKind { attempt, short_one, full };
 
 class RoundControl {

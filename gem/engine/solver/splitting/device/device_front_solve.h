@@ -1,4 +1,4 @@
-// Solution of the equations of an island on a device: FrontFactor::solve_all(), level by level, with the same sums in
+// Solution of the equations of an island on a device: FrontFactor::solve_first() and solve_both(), level by level, with the same sums in
 // the same order. Each block goes forth through its branch, all go forth and back through the trunk, and each goes back
 // through its branch.
 #pragma once

@@ -98,7 +98,7 @@ struct TeamMemory {
   IslandCell* cell;
   PartCell* part;
   CutCell* cut;         // of each warp
-  std::int32_t* count;  // team_counts for each thread
+  std::int32_t* count;  // TeamMemory::counts for each thread
   float* scratch;
   std::int32_t scratch_size;  // numbers
 

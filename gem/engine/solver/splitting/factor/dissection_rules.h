@@ -9,7 +9,7 @@
 namespace gem {
 
 /// Parts of so many bodies are not cut. Smaller ones give more and smaller nodes, larger ones fill more blocks of the
-/// factor with zeros (bench/notebook.md, "Operator splitting").
+/// factor with zeros.
 constexpr std::int32_t largest_leaf = 6;
 
 /// Bodies of a part of a chunk, of which a product adds four (FrontFactor): on a device a thread takes a part.

@@ -12,7 +12,7 @@ namespace gem {
 /// The platform's record, evenly sampled. Motion is measured from the rest position; forces act on the platform.
 struct PlatformSeries {
   double interval = 0.0;                                       // between samples [s]
-  double natural_period = 0.0;                                 // 2 pi sqrt(M / k); 0 without mooring [s]
+  double natural_period = 0.0;                                 // of mooring or control; 0 without both [s]
   std::vector<double> x, y;                                    // [m]
   std::vector<double> ice_force_x, ice_force_y;                // mean over one sample [N]
   std::vector<double> ice_force_window_x, ice_force_window_y;  // mean over the force window [N]

@@ -85,8 +85,12 @@ std::string suggestion(const std::string& name, const std::vector<std::string>& 
 }
 
 std::string suggestion_or_list(const std::string& name, const std::vector<std::string>& candidates) {
-  const std::string near = suggestion(name, candidates);
-  return near.empty() ? "; `gem case explain` lists all keys" : near;
+  const std::string near = suggestion(name, candidates), section = name.substr(0, name.find('.'));
+  if (!near.empty()) return near;
+  for (const std::string& candidate : candidates)
+    if (section != name && candidate.starts_with(section + "."))
+      return "; `gem case explain " + section + "` lists the keys of this section";
+  return "; `gem case explain` lists all keys";
 }
 
 }  // namespace gem

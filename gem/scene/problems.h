@@ -26,7 +26,7 @@ std::string nearest_name(const std::string& name, const std::vector<std::string>
 /// "; did you mean `x`?" or "" if nothing is close.
 std::string suggestion(const std::string& name, const std::vector<std::string>& candidates);
 
-/// "; did you mean `x`?" for a key of a case, or where the keys are listed if nothing is close.
+/// "; did you mean `x`?" for a key of a case, or if nothing is close where its section or all keys are listed.
 std::string suggestion_or_list(const std::string& name, const std::vector<std::string>& candidates);
 
 }  // namespace gem

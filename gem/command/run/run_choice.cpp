@@ -15,8 +15,8 @@ namespace gem {
 double until_of(const RunChoice& choice) {
   double seconds = 0.0;
   const char* const end = choice.until.data() + choice.until.size();
-  if (const auto read = std::from_chars(choice.until.data(), end, seconds); read.ec == std::errc{} && read.ptr == end)
-    return seconds;
+  const auto read = std::from_chars(choice.until.data(), end, seconds);
+  if (read.ec == std::errc{} && read.ptr == end && seconds >= 0.0) return seconds;
   return time_of_option("--until", choice.until);
 }
 

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <charconv>
 #include <csignal>
+#include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
 
@@ -11,6 +12,7 @@
 #include "gem/field/field.h"
 #include "gem/field/files/floe_file.h"
 #include "gem/record/output/output_path.h"
+#include "gem/run/checkpoint/checkpoint_path.h"
 #include "gem/run/run_signals.h"
 #include "gem/scene/check_scene.h"
 #include "gem/scene/toml/document.h"
@@ -43,9 +45,17 @@ void check_case_is_named(const RunChoice& choice) {
       "runs with --until or --set, e.g. gem run --until 10min");
 }
 
+/// Whoever types the command of a stopped run again is told how it goes on.
+void check_no_unfinished_run(const std::string& path) {
+  if (!std::filesystem::exists(path) || !has_checkpoint(path)) return;
+  throw Error(ExitCode::file_system, "cannot write " + shown(path) +
+                                         " (the file holds a run that has not ended); go on with gem run --continue " +
+                                         shown(path) + ", or use --overwrite or another --out");
+}
+
 /// The case with its end. An --until beyond the end of the case moves that end; one before it stops the run there, so
 /// that it can go on later.
-SceneDef case_until(RunChoice& choice) {
+SceneDef case_until(RunChoice& choice, RunLog& log) {
   if (choice.until.empty()) return read_case(choice.chosen_case);
   const double seconds = until_of(choice);
   for (const std::string& text : choice.chosen_case.overrides)
@@ -57,6 +67,9 @@ SceneDef case_until(RunChoice& choice) {
                             (parse_number(choice.until) ? choice.until : number_text(seconds)));
   SceneDef until = read_case(moved);
   SceneDef whole = read_case(choice.chosen_case);
+  if (steps_of(until) > steps_of(whole) && !choice.chosen_case.path.empty())
+    log.message("info", "--until " + choice.until + " is beyond the end of the case (" +
+                            number_text(whole.run.duration_s) + " s): the run goes on to there");
   if (steps_of(until) >= steps_of(whole) || steps_of(until) == 0) return until;
   choice.options.step_limit = std::llround(seconds / whole.numerics.time_step_s);
   return whole;
@@ -94,7 +107,7 @@ int run(RunChoice choice) {
 
   if (!choice.continued.empty()) return continue_run(choice, log);
   check_case_is_named(choice);
-  const SceneDef scene = case_until(choice);
+  const SceneDef scene = case_until(choice, log);
   if (choice.chosen_case.path.empty())
     log.message("info", "no case file: running the built-in case " + scene.run.name + ", " +
                             number_text(scene.run.duration_s / 60.0, 4) +
@@ -102,6 +115,7 @@ int run(RunChoice choice) {
   for (const std::string& warning : scene_warnings(scene)) log.message("warning", warning);
   if (choice.options.output.empty()) choice.options.output = run_file_name(scene.run.name);
   if (!choice.dry_run) {
+    if (!choice.options.overwrite) check_no_unfinished_run(choice.options.output);
     check_output_path(choice.options.output, choice.options.overwrite);
     check_replaceable(choice.options.output);
   }

@@ -34,6 +34,13 @@ TEST_F(CommandTest, ARunGoesOnWhereItStopped) {
   EXPECT_NE(text_of("err").find("nothing to continue"), std::string::npos) << text_of("err");
 }
 
+TEST_F(CommandTest, AnEndBeyondThatOfTheCaseIsSaid) {
+  ASSERT_EQ(shell("gem run swing.toml --until 21 --out long.h5"), 0);
+  EXPECT_NE(text_of("err").find("--until 21 is beyond the end of the case (20 s)"), std::string::npos)
+      << text_of("err");
+  EXPECT_EQ(RunFile(path("long.h5")).column("platform/time").back(), 21.0);
+}
+
 TEST_F(CommandTest, WhatCannotGoOnSaysWhy) {
   ASSERT_EQ(shell("gem run swing.toml --until 7 --out parts.h5 -q"), 0);
   ASSERT_EQ(shell("gem run swing.toml --until 7 --out bare.h5 -q --checkpoint-every 0"), 0);
@@ -42,6 +49,8 @@ TEST_F(CommandTest, WhatCannotGoOnSaysWhy) {
     int code;
     const char* message;
   } rows[] = {
+      {"gem run swing.toml --out parts.h5", 4, "go on with gem run --continue parts.h5"},
+      {"gem run swing.toml --out bare.h5", 4, "the file exists"},
       {"gem run --continue missing.h5", 4, "no such file"},
       {"gem run --continue swing.toml", 4, "not an HDF5 file"},
       {"gem run --continue bare.h5", 4, "there is no checkpoint beside it"},

@@ -43,6 +43,7 @@ DpRecord dp_record(const RunFile& file, const SceneDef& scene) {
   if (!has_dp(scene) || !file.has("platform/thruster_force_x")) return dp;
   const std::size_t thrusters = scene.dp.thruster.size();
   dp.thruster.resize(thrusters);
+  dp.period = scene.dp.surge_period_s;
   for (std::size_t k = 0; k < thrusters; ++k) dp.thruster[k].maximum = scene.dp.thruster[k].maximum_N;
   for_each_piece(file, columns, [&](const ColumnPiece& piece) {
     check_piece(file, piece, thrusters);

@@ -22,6 +22,7 @@ struct DpRecord {
   std::vector<double> offset;             // distance from the set point [m]
   std::vector<double> yaw;                // from its set point [rad]
   std::vector<double> demand;             // force asked for [N]
+  double period = 0.0;                    // of the surge by the design of the control [s]
 };
 
 /// Empty for a run without thrusters. Throws Error(file_system) if the columns do not fit the case or the samples.

@@ -25,7 +25,9 @@ std::size_t sample_from(const RunData& run, double from_s) {
 
 PlatformSeries platform_series(const RunData& run, std::size_t first) {
   const PlatformRecord& p = run.platform;
-  return {sample_interval(p.time),         run.natural_period_s,
+  // without a mooring the control sets the period, if there is one
+  const double period = run.natural_period_s > 0.0 ? run.natural_period_s : run.dp.period;
+  return {sample_interval(p.time),         period,
           tail(p.x, first, run.rest.x),    tail(p.y, first, run.rest.y),
           tail(p.ice_force_x, first),      tail(p.ice_force_y, first),
           tail(p.ice_force_mean_x, first), tail(p.ice_force_mean_y, first),

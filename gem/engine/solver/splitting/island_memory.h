@@ -73,9 +73,9 @@ struct alignas(16) IslandLevel {
   std::int32_t node = 0, own = 0, forth_tile = 0, back_tile = 0;
 };
 
-/// Rows of G or H that the threads of a warp multiply together, each body's three rows by `lanes` neighbours. Each thread
-/// has 18 numbers: number e stands at `numbers` + e * (size of a warp) + thread. For more columns than the lanes can take
-/// in one pass, further 18 follow.
+/// Rows of G or H that the threads of a warp multiply together, each body's three rows by `lanes` neighbours. Each
+/// thread has 18 numbers: number e stands at `numbers` + e * (size of a warp) + thread. For more columns than the lanes
+/// can take in one pass, further 18 follow.
 struct alignas(16) SolveTile {
   std::int64_t numbers = 0;
   std::int32_t first = 0, rows = 0;  // bodies: slots (H) or places (G)

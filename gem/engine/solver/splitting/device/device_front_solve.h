@@ -1,6 +1,6 @@
-// Solution of the equations of an island on a device: FrontFactor::solve_first() and solve_both(), level by level, with the same sums in
-// the same order. Each block goes forth through its branch, all go forth and back through the trunk, and each goes back
-// through its branch.
+// Solution of the equations of an island on a device: FrontFactor::solve_first() and solve_both(), level by level, with
+// the same sums in the same order. Each block goes forth through its branch, all go forth and back through the trunk,
+// and each goes back through its branch.
 #pragma once
 
 #include "gem/engine/solver/splitting/device/device_team.h"

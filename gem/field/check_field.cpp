@@ -40,9 +40,9 @@ void check_overlaps(const Bodies& bodies, double allowed) {
   }
   if (count == 0) return;
   const std::string more = count > listed_maximum ? ", and " + std::to_string(count - listed_maximum) + " more" : "";
-  throw Error(ExitCode::scene_rejected, "field: " + std::to_string(count) + (count == 1 ? " pair" : " pairs") +
-                                            " of bodies overlap at the start (" + listed + more + "; " + place +
-                                            "); move them apart");
+  throw Error(ExitCode::scene_rejected, "field: " + std::to_string(count) +
+                                            (count == 1 ? " pair of bodies overlaps" : " pairs of bodies overlap") +
+                                            " at the start (" + listed + more + "; " + place + "); move them apart");
 }
 
 void check_channel(const SceneDef& scene, const Bodies& bodies) {

@@ -43,7 +43,7 @@ TEST(ReadingChild, ACrashIsAnError) {
 TEST(ReadingChild, WorkThatNeverEndsIsEnded) {
   const auto [text, code] = answer(
       [] {
-        for (volatile int turn = 0;;) turn = turn + 1;
+        for (volatile unsigned turn = 0;;) turn = turn + 1;
       },
       1);
   EXPECT_EQ(code, 4);

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <numbers>
 
 #include "gem/base/number_text.h"
 #include "gem/command/command.h"
@@ -10,6 +11,7 @@
 #include "gem/record/line_tensions.h"
 #include "gem/scene/check_scene.h"
 #include "gem/scene/platform_shape.h"
+#include "gem/scene/scene_drive.h"
 #include "gem/scene/scene_mooring.h"
 #include "gem/scene/toml/case_text.h"
 #include "gem/scene/toml/scene_file.h"
@@ -96,6 +98,15 @@ std::string drag_text(const PlatformDragDef& drag) {
          number_text(drag.draft_m, 4) + " m, relative to " + water;
 }
 
+/// The largest speed of water or air, with its direction if it is constant.
+std::string drive_text(double largest, Vec2 constant) {
+  const std::string speed = number_text(largest, 4) + " m/s";
+  if (largest != length(constant)) return "up to " + speed;
+  if (largest == 0.0) return "none";
+  return speed + ", direction " + number_text(std::atan2(constant.y, constant.x) * 180.0 / std::numbers::pi, 4) +
+         " degrees from +x";
+}
+
 std::string thickness_text(const FieldSummary& field) {
   const std::string thinnest = number_text(field.thickness_minimum, 4),
                     thickest = number_text(field.thickness_maximum, 4);
@@ -110,6 +121,9 @@ std::string check_text(const SceneDef& scene, const FieldSummary& field, const s
   line("case", scene_hash(scene));
   line("run", number_text(scene.run.duration_s) + " s, " + fixed_text(double(steps_of(scene)), 0) + " time steps of " +
                   number_text(scene.numerics.time_step_s) + " s");
+  line("current", drive_text(largest_current(scene), scene.current.velocity_m_per_s) + ", drift " +
+                      number_text(100.0 * drive_speed(scene) * scene.numerics.time_step_s, 3) + " cm in a time step");
+  if (has_wind(scene)) line("wind", drive_text(largest_wind(scene), scene.wind.velocity_m_per_s));
   if (scene.platform.present)
     line("platform",
          shape_text(scene.platform) + ", mass " + number_text(scene.platform.mass_kg) + " kg, " + mooring_text(scene));

@@ -58,6 +58,18 @@ const std::vector<std::string>& dp_columns() {
   return names;
 }
 
+TEST_F(DpCommandTest, ShowsInTheCheckAndInTheReport) {
+  ASSERT_EQ(shell("gem case check dp.toml"), 0) << text_of("err");
+  EXPECT_NE(text_of("out").find("current           0.25 m/s, direction 0 degrees from +x, drift"), std::string::npos)
+      << text_of("out");
+  EXPECT_NE(text_of("out").find("wind              11.18 m/s, direction 26.57 degrees from +x\n"), std::string::npos)
+      << text_of("out");
+  ASSERT_EQ(shell(dp("--out dp.h5") + " && gem report dp.h5 --out page"), 0) << text_of("err");
+  const std::string page = text_of("page/index.html");
+  EXPECT_NE(page.find(">Dynamic positioning<"), std::string::npos);
+  EXPECT_NE(page.find(">force of all thrusters together</th><td>1600 kN<"), std::string::npos);
+}
+
 TEST_F(DpCommandTest, IsRecordedWithEverySample) {
   ASSERT_EQ(shell(dp("--out dp.h5")), 0) << text_of("err");
   const RunFile run(path("dp.h5"));

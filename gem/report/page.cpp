@@ -70,7 +70,8 @@ std::string page_html(const RunData& run, const RunFindings& findings, const std
   html += figures.field.empty() ? no_field_html(run) : figure_section("The field", figures.field, false);
   html += "<section><h2 class=\"page\">The run in numbers</h2>\n" + verdict_html(run.verdict) +
           motion_html(run, findings, analysis) + loads_html(run, findings, analysis) + sides_html(run) +
-          lines_html(run) + fixed_html(run) + quality_html(run, findings) + identity_html(run) + "</section>\n";
+          lines_html(run) + dp_html(run) + fixed_html(run) + quality_html(run, findings) + identity_html(run) +
+          "</section>\n";
   html += figure_section("Motion of the platform", figures.motion, true);
   html += figure_section(force_title(run), figures.force, true);
   html += figure_section("Books of the run", figures.books, false);

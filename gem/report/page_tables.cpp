@@ -319,6 +319,26 @@ std::string lines_html(const RunData& run) {
   return table("Mooring lines", rows);
 }
 
+std::string dp_html(const RunData& run) {
+  if (run.dp.thruster.empty() || run.dp.offset.empty()) return "";
+  const std::vector<Finding> findings = dp_findings(run.dp, 0);
+  const auto value = [&](const char* name) { return finding_of(findings, name).value.value_or(0.0); };
+  const auto metres = [&](const char* name) { return with_unit(value(name), length_unit(value(name))); };
+  const auto share = [&](const char* name) { return with_unit(value(name), Unit{"%", 0.01}); };
+  double installed = 0.0;
+  for (const ThrusterSamples& t : run.dp.thruster) installed += t.maximum;
+  return table("Dynamic positioning",
+               row("offset from the set point, median", {metres("dp_offset_median_m")}) +
+                   row("offset from the set point, 99 % below", {metres("dp_offset_p99_m")}) +
+                   row("offset from the set point, largest", {metres("dp_offset_largest_m")}) +
+                   row("yaw from its set point, largest",
+                       {with_unit(value("dp_yaw_largest_rad"), Unit{"degrees", std::numbers::pi / 180.0})}) +
+                   row("force asked for, largest", {force_text(value("dp_demand_largest_N"))}) +
+                   row("force of all thrusters together", {force_text(installed)}) +
+                   row("use of it, averaged over the run", {share("dp_thrust_utilisation")}) +
+                   row("time with a thruster at its limit", {share("dp_time_at_limit_share")}));
+}
+
 std::string fixed_html(const RunData& run) {
   const std::vector<Finding> findings = fixed_findings(run.on_fixed, 0.0);
   if (findings.empty()) return "";

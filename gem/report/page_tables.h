@@ -19,6 +19,8 @@ std::string sides_html(const RunData& run);
 std::string lines_html(const RunData& run);
 /// Nothing without the forces on [[fixed]] bodies at two frames.
 std::string fixed_html(const RunData& run);
+/// Nothing without thrusters.
+std::string dp_html(const RunData& run);
 std::string verdict_html(const RunVerdict& verdict);
 std::string quality_html(const RunData& run, const RunFindings& findings);
 

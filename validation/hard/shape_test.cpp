@@ -21,7 +21,7 @@ void check_refused(const std::string& key, bool refused, const Where& where) {
 }
 
 TEST_P(HardShapes, H3_overlap_at_the_start) {
-  check_refused("H3.refused", is_refused("H03_overlap.toml", {}, "overlap at the start"), where());
+  check_refused("H3.refused", is_refused("H03_overlap.toml", {}, "overlaps at the start"), where());
   const SceneDef scene = read_hard_case("H03_overlap.toml", setting());
   SceneDef apart = scene;
   apart.floe[1].position_m.x = 20.0;

@@ -25,7 +25,7 @@ class GradientControl {
       : jam_(jam),
         tolerance_(tolerance),
         last_(longest(jam) < iterations_maximum - 1 ? longest(jam) : iterations_maximum - 1),
-        bound_((jam ? 1e6F : 16.0F) * static_cast<float>(tolerance)) {}
+        bound_((jam ? runaway : 16.0F) * static_cast<float>(tolerance)) {}
 
   GEM_HD std::int64_t iteration() const { return iteration_; }
   /// Estimate of the error after the iterations are done [m/s].
@@ -33,7 +33,7 @@ class GradientControl {
   /// What a point asked for at most when the iterations were last judged [m/s].
   GEM_HD double largest_asked() const { return largest_; }
   /// Whether they ran away, or met what is no number: nothing of them may stay.
-  GEM_HD bool ran_away() const { return !(largest_ <= bound_); }
+  GEM_HD bool ran_away() const { return !(largest_ <= runaway * static_cast<float>(tolerance_)); }
 
   /// Begins an iteration. Returns how far the additions are extrapolated along their last change (Nesterov 1983).
   GEM_HD float begin_iteration() {
@@ -83,6 +83,7 @@ class GradientControl {
   static constexpr double jam_margin = 4.0;
   GEM_HD static constexpr std::int64_t longest(bool jam) { return jam ? 300 : 96; }
   static constexpr float well_beyond = 2.0F;
+  static constexpr float runaway = 1e6F;  // times the tolerance
   /// After so many iterations no point may ask for more than 16 times the tolerance; after as many again, for more than
   /// a quarter of that, and so on. Where they do, splitting ends sooner. In a jam, where splitting is dear, the bound
   /// is there for what is no number and for iterations that run away.

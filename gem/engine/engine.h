@@ -15,6 +15,7 @@
 #include "gem/engine/solver/coupled_point.h"
 #include "gem/engine/step/ledger.h"
 #include "gem/engine/step/overlap_count.h"
+#include "gem/events/compliant_contact.h"
 #include "gem/field/bodies.h"
 #include "gem/field/split_floes.h"
 #include "gem/scene/scene_def.h"
@@ -47,6 +48,7 @@ struct ContactEvent {
   double impulse_tangential = 0.0;  // along the normal turned left [N s]
   double effective_mass = 0.0;      // [kg]
   double peak_force = 0.0;          // crushing peak (Popov, closed form) for the closing speed [N]
+  double largest_force = 0.0;       // compliant: largest normal force within the time step [N]
   double width = 0.0;               // chord; 0 for a corner contact without overlap [m]
   double growth = 0.0;              // chord growth with depth; 0: a flat contact [-]
   double depth = 0.0;               // overlap depth [m]
@@ -157,6 +159,9 @@ struct EngineState {
   std::vector<PointMemory> impulse_value;
   LineSet broken = 0;   // lines of the mooring
   DpState dp;           // dynamic positioning
+  std::vector<std::uint64_t> corner_key = {};  // compliant: corners that overlap: contact_key(), ascending
+  std::vector<CornerMemory> corner_value = {};
+  std::int64_t substeps = 0;  // compliant: of a time step
   LoadSums loads = {};  // of floes that may split
 };
 

@@ -6,7 +6,8 @@ namespace gem {
 /// How the events of one time step are resolved.
 enum class ContactSolver {
   independent,  ///< the paper: each pair event once, from the state at the start of the step
-  coupled       ///< all events of the time step together, iterated to a residual
+  coupled,      ///< all events of the time step together, iterated to a residual
+  compliant     ///< ice that springs and crushes, in substeps
 };
 
 /// The solver as contact.solver names it.
@@ -16,6 +17,8 @@ constexpr const char* solver_name(ContactSolver solver) {
       return "independent";
     case ContactSolver::coupled:
       return "coupled";
+    case ContactSolver::compliant:
+      return "compliant";
   }
   return "unknown";
 }
@@ -37,6 +40,10 @@ struct ContactDef {
   FrictionLaw friction_law = FrictionLaw::one_step;
   bool crushing_limit = true;              ///< coupled: no impulse above that which crushes the smaller body
   double elastic_stiffness_N_per_m = 1e6;  ///< of the static stress in `independent`; 0 switches it off
+  // compliant
+  double face_stiffness_Pa = 5e8;            ///< stiffness of a face on a face over the thickness of the thinner floe
+  double damping_ratio = 0.5;                ///< zeta of a face that moves straight
+  double structure_stiffness_N_per_m = 1e9;  ///< of a structure on a wall
 };
 
 }  // namespace gem

@@ -123,6 +123,7 @@ double fastest_point(const SceneDef& scene) {
 }
 
 double speed_foreseen(const SceneDef& scene) {
+  if (scene.contact.solver == ContactSolver::compliant) return scene.numerics.contact_reach * fastest_point(scene);
   if (scene.contact.solver != ContactSolver::coupled || scene.contact.manifold != Manifold::chord_ends) return 0.0;
   return scene.numerics.contact_reach * fastest_point(scene);
 }

@@ -124,6 +124,7 @@ struct NumericsDef {
       1.5;  ///< coupled: faces that the current could close within this many time steps count as contacts
   double repair_share = 0.6;          ///< coupled: share of an overlap removed in one time step
   double repair_speed_m_per_s = 0.1;  ///< coupled: largest speed at which an overlap is removed
+  std::int64_t substeps = 0;          ///< compliant: of a time step; 0: by the rule of substep_count.h
   double list_margin_m = 2.5;         ///< pairs closer than this are in the pair list
 };
 

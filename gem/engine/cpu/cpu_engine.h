@@ -4,6 +4,7 @@
 #include <atomic>
 #include <vector>
 
+#include "gem/engine/cpu/compliant_contacts.h"
 #include "gem/engine/cpu/pair_list.h"
 #include "gem/engine/cpu/team_choice.h"
 #include "gem/engine/cpu/thread_team.h"
@@ -51,13 +52,16 @@ class CpuEngine : public Engine {
   void run(ThreadTeam& team, int rank, StepLog& log);
   void solo_events(ThreadTeam& team, int rank);
   void resolve_independent(ThreadTeam& team, int rank);
+  void set_up_substeps(std::int64_t substeps);
+  bool is(ContactSolver solver) const { return field_.constants.solver == solver; }
   void enter_books(ThreadTeam& team, int rank, StepLog& log);
   void move(ThreadTeam& team, int rank, StepLog& log);
 
+  SceneDef scene_;
   FieldState field_;
   DriveSchedule drives_;
   MooringTables mooring_;
-  DpLaw dp_;
+  DpLaw dp_, dp_of_substep_;
   ThreadTeam all_threads_;
   ThreadTeam one_thread_{1};
   TeamChoice choice_;
@@ -65,6 +69,7 @@ class CpuEngine : public Engine {
   std::int64_t step_ = 0;
   PairList pairs_;
   CoupledSolver coupled_;
+  CompliantContacts compliant_;
   std::vector<ContactOutcome> outcomes_;  // of the contacts of this time step
   std::vector<double> work_;              // scratch memory of note_outcomes()
   std::atomic<bool> lost_{false};         // the state of a floe is not finite

@@ -77,6 +77,7 @@ ContactEvent event_of(const Contact& contact, const EventBodies& bodies, double 
   e.point = bodies.position_b + arm_b;
   e.effective_mass = 1.0 / contact_compliance(bodies.mass_a, arm_a, bodies.mass_b, arm_b, contact.normal).nn;
   const double energy = 0.5 * e.effective_mass * e.closing_speed * e.closing_speed;
+  e.largest_force = contact.largest_force;
   e.peak_force = crushing_peak(bodies.ice, e.growth, longest_chord(contact, bodies), energy).force;
   return e;
 }

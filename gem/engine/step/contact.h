@@ -36,6 +36,7 @@ struct Contact {
   double width = 0.0;   // chord or length of the facing edges [m]
   double growth = 0.0;  // chord growth with depth for one point; for two points see tilted_faces.h [-]
   double friction = 0.0;
+  double largest_force = 0.0;  // compliant: normal force within the time step [N]
   ContactSlot slot[2];
 };
 

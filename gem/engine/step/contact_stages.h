@@ -76,6 +76,11 @@ inline bool find_contact(const FieldState& f, std::int32_t a, std::int32_t b, Se
   const Vec2 offset = f.bodies.position[b] - f.bodies.position[a];
   follow_axes(axes, outline_a, outline_b, offset, moved + motion_rounding, limit);
   if (!(axes.first.distance < limit)) return false;
+  if (f.constants.solver == ContactSolver::compliant) {
+    const Separation& axis = axes.first;
+    open_contact(contact, a, b, {axis.edge_of_b ? -outline_b.normal[axis.edge] : outline_a.normal[axis.edge], 0, {}}, offset);
+    return true;
+  }
   const ContactGeometry geometry = !f.piece_corner.empty() && f.constants.is_platform(a) ? piece_contact(f, a, b, axes)
                                    : f.constants.manifold == Manifold::chord_middle
                                        ? chord_contact(outline_a, outline_b, offset, axes.first)

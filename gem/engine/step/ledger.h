@@ -8,6 +8,20 @@
 
 namespace gem {
 
+/// What compliant contacts took and hold, each integrated by its own law; losses are > 0. `left` is what these do not
+/// explain of the exact work of the contact forces: it falls with the substep.
+struct ContactEnergy {
+  double work = 0.0;      // of all contact forces on all bodies [J]
+  double stored = 0.0;    // in springs, at present [J]
+  double crushed = 0.0;   // [J]
+  double damped = 0.0;    // below crushing [J]
+  double friction = 0.0;  // [J]
+  double load = 0.0;      // impulse through all contacts [N s]
+  double softened = 0.0;  // part of it through corners that the stability limit softens [N s]
+
+  double left() const { return work + stored + crushed + damped + friction; }
+};
+
 /// Totals since t = 0. Contact channels hold the momentum that fixed bodies gave and the energy of the contacts
 /// (negative: lost).
 struct Ledger {
@@ -18,6 +32,7 @@ struct Ledger {
   double momentum_scale = 0.0;  // largest sum of mass x speed so far; residuals are relative to it [N s]
   double angular_scale = 0.0;   // scale of the angular momentum [N m s]
   double energy_scale = 0.0;    // largest energy term [J]
+  ContactEnergy contact;      // compliant contacts
   double crack_energy = 0.0;  // of floes that split, 0 or less; the entry `impact` is what the contacts took beside [J]
 
   Quantity& operator[](Channel c) { return channel[static_cast<std::size_t>(c)]; }

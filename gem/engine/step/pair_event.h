@@ -45,6 +45,7 @@ GEM_HD inline void open_contact(Contact& contact, std::int32_t a, std::int32_t b
   contact.normal = geometry.normal;
   contact.width = geometry.width;
   contact.growth = geometry.growth;
+  contact.largest_force = 0.0;
   for (int k = 0; k < 2 && k < geometry.count; ++k) {
     contact.slot[k].arm_a = geometry.point[k].position;
     contact.slot[k].arm_b = geometry.point[k].position - offset;

@@ -69,7 +69,9 @@ inline double shift_floe(FieldState& f, std::size_t i) {
   if (f.struck[i]) {
     b.position[i] += dt * b.velocity[i] + f.repair_shift[i];
     angle += f.repair_turn[i];
-    f.book(Channel::repair, i).angular_momentum += b.mass[i] * cross(f.repair_shift[i], b.velocity[i]);
+    // substeps have booked their loads where the floe was
+    if (f.constants.solver != ContactSolver::compliant)
+      f.book(Channel::repair, i).angular_momentum += b.mass[i] * cross(f.repair_shift[i], b.velocity[i]);
     f.struck[i] = 0;
   } else {
     b.position[i] += dt * b.velocity[i] + f.path_correction[i];
@@ -169,15 +171,35 @@ inline PushedPlatform pushed_platform(FieldState& f) {
       f.mooring_force};
 }
 
+/// All loads on the platform but the contacts, half a step of `e` long.
+inline void platform_loads_before(FieldState& f, const Events& e) {
+  tow_platform(e, f.drive, pushed_platform(f), f.bodies.inverse_inertia[0] > 0.0);
+  thrust_platform(e, f.drive, pushed_platform(f));
+  hold_station(e, f.drive, platform_on_dp(f), true);
+  platform_events_before(e, f.drive, platform_motion(f, f.bodies.rotation[0]));
+  steer_platform(e, f.drive, platform_yaw(f), true);
+  turn_in_water(e, f.drive, moved_platform(f), f.bodies.rotation[0], false);
+}
+
+/// Their second half, before the platform turns with `spin`. Returns its rotation when its mooring pulls.
+inline Rotation platform_loads_after(FieldState& f, const Events& e, double spin) {
+  const Rotation next = yaw_of_pull(e, f.bodies.rotation[0], spin);
+  turn_in_water(e, f.drive, moved_platform(f), next, true);
+  platform_events_after(e, f.drive, platform_motion(f, next));
+  return next;
+}
+
+/// The end of their second half, when it has turned.
+inline void platform_loads_last(FieldState& f, const Events& e) {
+  steer_platform(e, f.drive, platform_yaw(f), false);
+  hold_station(e, f.drive, platform_on_dp(f), false);
+  thrust_platform(e, f.drive, pushed_platform(f));
+}
+
 /// Moves the platform up to the time of the pair events.
 inline void platform_first_half(FieldState& f) {
   f.platform_position = f.bodies.position[0];
-  tow_platform(f.constants.events, f.drive, pushed_platform(f), f.bodies.inverse_inertia[0] > 0.0);
-  thrust_platform(f.constants.events, f.drive, pushed_platform(f));
-  hold_station(f.constants.events, f.drive, platform_on_dp(f), true);
-  platform_events_before(f.constants.events, f.drive, platform_motion(f, f.bodies.rotation[0]));
-  steer_platform(f.constants.events, f.drive, platform_yaw(f), true);
-  turn_in_water(f.constants.events, f.drive, moved_platform(f), f.bodies.rotation[0], false);
+  platform_loads_before(f, f.constants.events);
   f.before_contacts = {f.bodies.velocity[0], f.bodies.spin[0]};
   move_pieces(f, false);
 }
@@ -196,9 +218,7 @@ inline void platform_second_half(FieldState& f) {
   Bodies& b = f.bodies;
   take_water_along(e, moved_platform(f), f.before_contacts);
   const double spin = b.spin[0];  // it turns with the spin after the pair events
-  const Rotation next = yaw_of_pull(e, b.rotation[0], spin);
-  turn_in_water(e, f.drive, moved_platform(f), next, true);
-  platform_events_after(e, f.drive, platform_motion(f, next));
+  const Rotation next = platform_loads_after(f, e, spin);
   f.struck[0] = 0;
   const Vec2 position = b.position[0], shift = f.repair_shift[0];
   b.position[0] += shift;
@@ -207,9 +227,14 @@ inline void platform_second_half(FieldState& f) {
   f.repair_turn[0] = 0.0;
   book_platform_shift(e, b.mass[0], b.velocity[0], f.broken, {position, shift, next, b.rotation[0]},
                       f.book(Channel::repair, 0));
-  steer_platform(e, f.drive, platform_yaw(f), false);
-  hold_station(e, f.drive, platform_on_dp(f), false);
-  thrust_platform(e, f.drive, pushed_platform(f));
+  platform_loads_last(f, e);
+  move_pieces(f, true);
+}
+
+/// After the substeps of compliant contacts, which have moved the platform: its outline follows.
+inline void platform_after_substeps(FieldState& f) {
+  if (!f.constants.events.platform_present) return hold_platform(f);
+  turn_outline(f, 0);
   move_pieces(f, true);
 }
 

@@ -56,6 +56,7 @@ StepConstants step_constants(const SceneDef& scene, const Bodies& bodies, const 
   c.repair_speed = scene.numerics.repair_speed_m_per_s;
   // the contact reach beyond the drift of one time step
   c.repair_reach = std::max((scene.numerics.contact_reach - 1.0) * fastest, c.repair_speed) * c.dt;
+  c.drive_speed = drive_speed(scene);
   c.list_margin = std::max(scene.numerics.list_margin_m, corner_distance * c.contact_margin);
   // 400: chosen by hand; bounds the life of a list in slow water, affects only speed
   const double drift_speed = drive_speed(scene) + 1e-3;

@@ -28,6 +28,7 @@ struct StepConstants {
   double repair_share = 0.0;      // share of an overlap that is repaired in one time step [-]
   double repair_speed = 0.0;      // largest speed of the repair [m/s]
   double repair_reach = 0.0;      // coupled: largest repair motion of any point of a body in one time step [m]
+  double drive_speed = 0.0;       // largest speed of water and air on floes, see scene_drive.h [m/s]
   double list_margin = 0.0;       // [m]
   std::int64_t list_horizon = 1;  // longest life of a list of near pairs [time steps]
   double retire_x = 0.0;          // [m]

@@ -4,8 +4,9 @@
 namespace gem::sections {
 
 void add_contact(SceneTable& t) {
-  t.choice("contact.solver", {"independent", "coupled"},
-           "independent: each event of a time step once, as in the paper; coupled: all events together",
+  t.choice("contact.solver", {"independent", "coupled", "compliant"},
+           "independent: each event of a time step once, as in the paper; coupled: all events together, of rigid ice; "
+           "compliant: ice that springs and crushes, in substeps",
            GEM_FIELD(contact.solver));
   t.choice("contact.manifold", {"chord_middle", "chord_ends"}, "points where a contact acts",
            GEM_FIELD(contact.manifold));
@@ -17,6 +18,17 @@ void add_contact(SceneTable& t) {
          GEM_FIELD(contact.crushing_limit));
   t.number("contact.elastic_stiffness_N_per_m", "N/m", {0.0, 1e12},
            "independent: stiffness of the static event; 0: none", GEM_FIELD(contact.elastic_stiffness_N_per_m));
+  t.opt_in = true;
+  t.number("contact.face_stiffness_Pa", "Pa", {1e5, 1e12},
+           "compliant: stiffness of a face of ice on a face, over the thickness of the thinner floe; the number of "
+           "substeps grows with its root",
+           GEM_FIELD(contact.face_stiffness_Pa));
+  t.number("contact.damping_ratio", "", {0.0, 2.0}, "compliant: damping ratio of a face below crushing",
+           GEM_FIELD(contact.damping_ratio));
+  t.number("contact.structure_stiffness_N_per_m", "N/m", {1e5, 1e13},
+           "compliant: stiffness of a structure on a wall, where no ice is between them",
+           GEM_FIELD(contact.structure_stiffness_N_per_m));
+  t.opt_in = false;
 }
 
 }  // namespace gem::sections

@@ -91,12 +91,17 @@ GEM_HD GEM_INLINE Vec2 in_axes_of(const SubBody& b, Vec2 x) {
   return {b.cosine * x.x + b.sine * x.y, b.cosine * x.y - b.sine * x.x};
 }
 
-/// The corner ends its contact: what was stored is lost, and other ice is in front of it when it comes back.
-GEM_HD inline void leave(SubPoint& s) {
+/// The corner ends its contact: what was stored and the last force did not give back is lost, and other ice is in front
+/// of it when it comes back.
+GEM_HD inline void leave(SubPoint& s, double h) {
   const CornerMemory& m = s.memory;
-  s.work.damped += 0.5 * m.stiffness * (m.elastic * m.elastic + m.stretch * m.stretch);
-  s.work.stored -= 0.5 * m.stiffness * (m.elastic * m.elastic + m.stretch * m.stretch);
+  const double stored = 0.5 * m.stiffness * (m.elastic * m.elastic + m.stretch * m.stretch);
+  s.work.damped += stored - 0.5 * h * m.normal * s.speed_n;
+  s.work.friction -= 0.5 * h * m.side * s.speed_t;
+  s.work.stored -= stored;
   s.memory = {};
+  s.impulse = {};
+  s.twist_p = s.twist_q = 0.0;
 }
 
 /// Depth, speeds and the force of spring and dashpot alone, at the present places. Returns whether the corner overlaps.
@@ -127,18 +132,18 @@ GEM_HD inline void find_crossings(SubPoint& s, const SubBody& p, const SubBody& 
 }
 
 /// Books the work since the last force of the corner: means of the forces before and after, times what sprang, crushed
-/// and slid between.
-GEM_HD inline void book_corner(SubPoint& s, const CornerMemory& before, double elastic, double slid, double lost) {
+/// and slid between. `closed` and `slid`: motion of the last substep, across and along the side [m].
+GEM_HD inline void book_corner(SubPoint& s, const CornerMemory& before, double elastic, double closed, double slid,
+                               double lost) {
   CornerMemory& now = s.memory;
   const double k = s.law.stiffness, k_before = before.stiffness;
   const double spring = 0.5 * (k_before * before.elastic + k * elastic);
   const double dashpot = 0.5 * (before.normal - k_before * before.elastic + now.normal - k * elastic);
   const double crushed = now.crushed - before.crushed;
-  const double sprang = elastic - before.elastic;
   const double pull = 0.5 * (k_before * before.stretch + k * now.stretch);
   const double drag = -0.5 * (before.side + k_before * before.stretch + now.side + k * now.stretch);
   s.work.crushed += spring * crushed;
-  s.work.damped += dashpot * (crushed + sprang) + lost;
+  s.work.damped += dashpot * closed + lost;
   s.work.friction += pull * (slid - (now.stretch - before.stretch)) + drag * slid;
   s.work.stored += 0.5 * k * (elastic * elastic + now.stretch * now.stretch) -
                    0.5 * k_before * (before.elastic * before.elastic + before.stretch * before.stretch);
@@ -163,7 +168,7 @@ GEM_HD inline void press(SubPoint& s, const SubBody& q, double force, bool crush
   m.normal = force;
   m.stretch = corner_stretch(s.law, m.stretch, slid, force);
   m.side = corner_friction(s.law, m.stretch, s.speed_t, force);
-  book_corner(s, before, larger(0.0, s.depth - m.crushed), slid, lost);
+  book_corner(s, before, larger(0.0, s.depth - m.crushed), -h * s.speed_n, slid, lost);
 
   const Vec2 tangent = turned_left(s.axis);
   const Vec2 normal_part = (h * force) * s.axis;
@@ -230,10 +235,8 @@ GEM_HD inline void press_pair(SubPair& pair, SubPoint* all, const SubBody* bodie
     s.overlaps = touch(s, bodies[s.p], bodies[s.q]);
     inside += s.overlaps;
     if (!s.overlaps && overlapped) {
-      s.impulse = {};
-      s.twist_p = s.twist_q = 0.0;
       if (s.memory.normal > left.normal) left = s.memory, hands_over = true;
-      leave(s);
+      leave(s, h);
     }
   }
   if (inside == 0) return;

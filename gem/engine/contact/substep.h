@@ -5,6 +5,15 @@
 //
 // The kick is the substep's share of all other loads of the time step. Places are kept as motion since the start of the
 // time step, turns as cosine and sine, so outlines stay as they were then and corners are brought into their axes.
+//
+// Only what touches is computed. A floe that nothing has touched in this time step is free: its place follows from the
+// kicks alone. A pair is looked at when its gap could be closed:
+//
+//     gap - closing t - curve t^2 > stray_a + stray_b        no corner overlaps
+//
+//   gap, closing, curve   smallest gap of its corners, largest closing speed, half of a bound on its change in free
+//                         motion [m], [m/s], [m/s2]
+//   stray                 bound on how far any point of a body is from where it would be if it had stayed free [m]
 #pragma once
 
 #include <cstdint>
@@ -23,6 +32,9 @@ struct SubBody {
   double cosine = 1.0, sine = 0.0;   // of the turn
   Vec2 velocity;                     // [m/s]
   double spin = 0.0;                 // [rad/s]
+  Vec2 start_velocity;               // at the start of the time step [m/s]
+  double start_spin = 0.0;           // [rad/s]
+  double radius = 0.0;               // of every point that a corner may meet [m]
   double inverse_mass = 0.0, inverse_inertia = 0.0;
   Vec2 kick;                         // of one substep [m/s]
   double kick_spin = 0.0;            // [rad/s]
@@ -38,16 +50,15 @@ struct ContactWork {
   double stored = 0.0, crushed = 0.0, damped = 0.0, friction = 0.0;
 };
 
-/// A corner of body p near a side of body q. Forces and impulses are those on p; q gets the opposite.
+/// A corner of one body of a pair, p, near a side of the other, q. Forces and impulses are those on p; q gets the
+/// opposite.
 struct SubPoint {
-  // read in every substep
-  std::int32_t p = 0, q = 0;  // entries of the bodies
+  bool of_b = false;          // p is b of the pair, else a
   Vec2 corner;                // from p's centroid at the start [m]
   Vec2 between;               // from q's centroid to p's at the start [m]
   Vec2 normal;                // of a side of q: outside it, the corner does not overlap
   double offset = 0.0;        // of that side along its normal, from q's centroid [m]
   bool overlaps = false;
-  // read where it overlaps
   CornerLaw law;
   CornerMemory memory;
   double full_stiffness = 0.0;  // of the ice; the law may have less [N/m]
@@ -73,6 +84,10 @@ struct SubPoint {
 
 /// Two bodies and the corners that one of them may have in the other.
 struct SubPair {
+  std::int32_t a = 0, b = 0;          // entries of the bodies
+  double gap = 0.0, closing = 0.0, curve = 0.0;
+  bool is_open = false;               // its points are filled
+  bool presses = false;               // a corner overlapped in the last substep
   std::int32_t first = 0, count = 0;  // its points
   std::int32_t contact = 0;           // among the contacts of the time step
   double bound = 0.0;                 // P0 h^(1+ex): crushing force on a chord of 1 m [N]; < 0: no ice
@@ -205,14 +220,14 @@ GEM_HD inline void hand_over(SubPoint* points, int count, const CornerMemory& le
 /// Longest distance between the crossings of a pair: the chord of the overlap [m].
 GEM_HD inline double chord_of(const SubPoint* points, int count) {
   double longest = 0.0;
-  const std::int32_t base = points[0].p;
+  const bool base = points[0].of_b;
   const Vec2 to_first = points[0].between;
   for (int i = 0; i < count; ++i) {
     if (!points[i].overlaps) continue;
     for (int j = i; j < count; ++j) {
       if (!points[j].overlaps) continue;
       // crossings are told from the centroid of their own p, which is one of two bodies
-      const Vec2 shift = points[i].p == points[j].p ? Vec2{} : points[i].p == base ? to_first : -to_first;
+      const Vec2 shift = points[i].of_b == points[j].of_b ? Vec2{} : points[i].of_b == base ? to_first : -to_first;
       for (int k = 0; k < 2; ++k)
         for (int l = 0; l < 2; ++l) {
           const Vec2 d = points[i].crossing[k] - points[j].crossing[l] + shift;
@@ -223,23 +238,23 @@ GEM_HD inline double chord_of(const SubPoint* points, int count) {
   return std::sqrt(longest);
 }
 
-/// Forces of one pair in a substep of length h [s].
-GEM_HD inline void press_pair(SubPair& pair, SubPoint* all, const SubBody* bodies, double h) {
-  SubPoint* const points = all + pair.first;
+/// Forces of one pair in a substep of length h [s]. Returns whether a corner overlaps.
+GEM_HD inline bool press_pair(SubPair& pair, SubPoint* points, const SubBody& a, const SubBody& b, double h) {
   int inside = 0;
   CornerMemory left;
   bool hands_over = false;
   for (int k = 0; k < pair.count; ++k) {
     SubPoint& s = points[k];
     const bool overlapped = s.overlaps;
-    s.overlaps = touch(s, bodies[s.p], bodies[s.q]);
+    s.overlaps = s.of_b ? touch(s, b, a) : touch(s, a, b);
     inside += s.overlaps;
     if (!s.overlaps && overlapped) {
       if (s.memory.normal > left.normal) left = s.memory, hands_over = true;
       leave(s, h);
     }
   }
-  if (inside == 0) return;
+  pair.presses = inside > 0;
+  if (!pair.presses) return false;
   double sum = 0.0, depth = 0.0;
   for (int k = 0; k < pair.count; ++k)
     if (points[k].overlaps) {
@@ -259,14 +274,14 @@ GEM_HD inline void press_pair(SubPair& pair, SubPoint* all, const SubBody* bodie
   double share = 1.0, chord = 0.0;
   if (sum > 0.0 && pair.bound >= 0.0) {
     for (int k = 0; k < pair.count; ++k)
-      if (points[k].overlaps) find_crossings(points[k], bodies[points[k].p], bodies[points[k].q]);
+      if (points[k].overlaps) points[k].of_b ? find_crossings(points[k], b, a) : find_crossings(points[k], a, b);
     chord = chord_of(points, pair.count);
     const double bound = chord > 0.0 ? pair.bound * strict::power(chord, pair.exponent) : 0.0;
     if (sum > bound) share = bound / sum;
   }
   for (int k = 0; k < pair.count; ++k) {
     SubPoint& s = points[k];
-    if (s.overlaps) press(s, bodies[s.q], share * s.trial, share < 1.0, h);
+    if (s.overlaps) press(s, s.of_b ? a : b, share * s.trial, share < 1.0, h);
   }
   if (share * sum > pair.largest_force) {
     pair.largest_force = share * sum;
@@ -274,6 +289,7 @@ GEM_HD inline void press_pair(SubPair& pair, SubPoint* all, const SubBody* bodie
     pair.depth = depth;
     pair.corners = inside;
   }
+  return true;
 }
 
 /// Velocity after the impulses of the contacts.
@@ -292,6 +308,56 @@ GEM_HD inline void set_turn(SubBody& b, double turn) {
   b.turn = turn;
   b.cosine = 1.0 - t2 * (1.0 / 2.0 - t2 * (1.0 / 24.0 - t2 * (1.0 / 720.0)));
   b.sine = turn * (1.0 - t2 * (1.0 / 6.0 - t2 * (1.0 / 120.0 - t2 * (1.0 / 5040.0))));
+}
+
+/// Motion of a body that is free for `n` substeps: where it then is.
+struct FreeMotion {
+  Vec2 shift;
+  double turn = 0.0;
+};
+GEM_HD GEM_INLINE FreeMotion free_motion(const SubBody& b, double n, double h) {
+  const double kicks = 0.5 * n * (n + 1.0);
+  return {h * (n * b.start_velocity + kicks * b.kick), h * (n * b.start_spin + kicks * b.kick_spin)};
+}
+
+/// The body after `n` free substeps, its books included.
+GEM_HD inline SubBody after_free_motion(SubBody b, double n, double h) {
+  const FreeMotion m = free_motion(b, n, h);
+  b.velocity = b.start_velocity + n * b.kick;
+  b.spin = b.start_spin + n * b.kick_spin;
+  b.shift = m.shift;
+  set_turn(b, m.turn);
+  b.shift_sum = h * ((0.5 * n * (n - 1.0)) * b.start_velocity + ((n - 1.0) * n * (n + 1.0) / 6.0) * b.kick);
+  b.kick_work = n * (b.mass * dot(b.kick, b.start_velocity + (0.5 * n) * b.kick) +
+                     b.inertia * b.kick_spin * (b.start_spin + 0.5 * n * b.kick_spin));
+  return b;
+}
+
+/// Bound on how far any point of a body is from its free motion after `n` substeps [m].
+GEM_HD inline double stray_of(const SubBody& b, double n, double h) {
+  const FreeMotion m = free_motion(b, n, h);
+  const Vec2 d = b.shift - m.shift;
+  return magnitude(d.x) + magnitude(d.y) + b.radius * magnitude(b.turn - m.turn);
+}
+
+/// Whether no corner of a pair can overlap after `n` substeps.
+GEM_HD GEM_INLINE bool is_apart(const SubPair& pair, double t, double stray_a, double stray_b) {
+  return pair.gap - t * (pair.closing + pair.curve * t) > stray_a + stray_b;
+}
+
+/// Takes a corner into the bound of its pair. `gap` outside the side [m], `u_n` its speed away from it [m/s]; `arm_q`
+/// from q's centroid to the corner.
+GEM_HD inline void watch(SubPair& pair, const SubBody& p, const SubBody& q, Vec2 corner, Vec2 arm_q, Vec2 normal,
+                         double gap, double h) {
+  const Vec2 u = p.start_velocity + cross(p.start_spin, corner) - q.start_velocity - cross(q.start_spin, arm_q);
+  const double far = length(arm_q), rim = length(corner), turn = magnitude(q.start_spin);
+  const double kicks = length(p.kick) + length(q.kick) + magnitude(p.kick_spin) * rim + magnitude(q.kick_spin) * far;
+  // twice the acceleration at the start: the speeds that it depends on change by less than that within a time step
+  const double acceleration =
+      2.0 * (p.start_spin * p.start_spin * rim + turn * (turn * far + 2.0 * length(u)) + kicks / h);
+  pair.gap = smaller(pair.gap, gap);
+  pair.closing = larger(pair.closing, kicks - dot(u, normal));
+  pair.curve = larger(pair.curve, 0.5 * acceleration);
 }
 
 /// A floe's other loads and its motion over a substep.

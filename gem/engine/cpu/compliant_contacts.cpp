@@ -13,6 +13,11 @@ namespace {
 std::int32_t body_p(const Contact& c, bool of_b) { return of_b ? c.b : c.a; }
 std::int32_t body_q(const Contact& c, bool of_b) { return of_b ? c.a : c.b; }
 
+/// Place of a body at the start of the time step: the platform moves in every substep [m].
+Vec2 start_of(const FieldState& f, std::int32_t body) {
+  return f.constants.is_platform(body) ? f.platform_position : f.bodies.position[body];
+}
+
 /// How far two bodies may close in a time step, from their present motion and what drives them [m].
 double reach_of(const FieldState& f, std::int32_t a, std::int32_t b) {
   const Bodies& s = f.bodies;
@@ -81,8 +86,9 @@ std::int32_t CompliantContacts::enter(const FieldState& f, std::int32_t body) {
   s.inverse_inertia = b.inverse_inertia[body];
   s.mass = b.mass[body];
   s.inertia = b.inertia[body];
-  s.velocity = velocity_before_[body];
-  s.spin = spin_before_[body];
+  s.velocity = s.start_velocity = velocity_before_[body];
+  s.spin = s.start_spin = spin_before_[body];
+  s.radius = b.radius[body] + f.constants.contact_margin;
   if (b.kind[body] == BodyKind::floe) {
     const double share = 1.0 / static_cast<double>(substeps_);
     s.kick = share * (b.velocity[body] - velocity_before_[body]);
@@ -114,11 +120,15 @@ void CompliantContacts::lay_out(const FieldState& f, Contacts contacts, int thre
       found_.push_back(one);
     }
   platform_ = f.constants.events.platform_present ? enter(f, 0) : -1;
-  for (const SubPair& pair : pair_) {
+  for (SubPair& pair : pair_) {
     const Contact& contact = *contacts[pair.contact];
-    corners_[enter(f, f.constants.owner_of(contact.a))] += pair.count;
-    corners_[enter(f, contact.b)] += pair.count;
+    pair.a = enter(f, f.constants.owner_of(contact.a));
+    pair.b = enter(f, contact.b);
+    corners_[pair.a] += pair.count;
+    corners_[pair.b] += pair.count;
   }
+  stray_.assign(body_.size(), 0.0);
+  touched_.assign(body_.size(), 0);
   point_.resize(found_.size());
   point_key_.resize(found_.size());
 }
@@ -135,8 +145,24 @@ void CompliantContacts::keep(SubPoint& point, std::uint64_t key, bool fresh) {
   }
 }
 
-void CompliantContacts::fill(const FieldState& f, Contacts contacts, std::int64_t step, SubPair& pair,
-                             std::int32_t from) {
+void CompliantContacts::watch_pair(const FieldState& f, Contacts contacts, SubPair& pair) {
+  const Contact& contact = *contacts[pair.contact];
+  pair.gap = 1e300;
+  pair.closing = -1e300;
+  for (std::int32_t k = pair.first; k < pair.first + pair.count; ++k) {
+    const Found& found = found_[k];
+    const std::int32_t p = body_p(contact, found.of_b), q = body_q(contact, found.of_b);
+    const Outline side_of = f.outline(q);
+    const Vec2 corner = f.outline(p).corner[found.corner];
+    const Vec2 arm_q = start_of(f, p) - start_of(f, q) + corner, normal = side_of.normal[found.side];
+    watch(pair, body_[found.of_b ? pair.b : pair.a], body_[found.of_b ? pair.a : pair.b], corner, arm_q, normal,
+          dot(normal, arm_q - side_of.corner[found.side]), h_);
+  }
+  pair.gap -= motion_rounding;
+}
+
+/// Fills the points of a pair: geometry at the start of the time step, law, memory.
+void CompliantContacts::open(const FieldState& f, Contacts contacts, SubPair& pair) {
   const Bodies& b = f.bodies;
   const Events& e = f.constants.events;
   const Contact& contact = *contacts[pair.contact];
@@ -147,26 +173,27 @@ void CompliantContacts::fill(const FieldState& f, Contacts contacts, std::int64_
   pair.exponent = 1.0 + of_pair.exponent;
   const double stiffness = corner_stiffness(e.contact, thickness, ice);
   const double inverse_mass = b.inverse_mass[contact.a] + b.inverse_mass[contact.b];
-  for (std::int32_t k = from; k < from + pair.count; ++k) {
+  pair.is_open = true;
+  for (std::int32_t k = pair.first; k < pair.first + pair.count; ++k) {
     const Found& found = found_[k];
     SubPoint& s = point_[k];
     s = {};
+    s.of_b = found.of_b;
     const std::int32_t p = body_p(contact, found.of_b), q = body_q(contact, found.of_b);
-    s.p = entry_of_[f.constants.owner_of(p)];
-    s.q = entry_of_[f.constants.owner_of(q)];
+    const std::int32_t entry_p = s.of_b ? pair.b : pair.a, entry_q = s.of_b ? pair.a : pair.b;
     const Outline own = f.outline(p);
     s.surface = surface_of(f, q);
     s.corner = own.corner[found.corner];
     s.flank[0] = own.corner[found.corner > 0 ? found.corner - 1 : own.count - 1] - s.corner;
     s.flank[1] = own.corner[found.corner + 1 < own.count ? found.corner + 1 : 0] - s.corner;
-    s.between = b.position[p] - b.position[q];
+    s.between = start_of(f, p) - start_of(f, q);
     s.normal = s.surface.outline.normal[found.side];
     s.offset = dot(s.normal, s.surface.outline.corner[found.side]);
     const Vec2 arm_q = s.between + s.corner;
     s.depth = s.offset - dot(s.normal, arm_q);
-    const SubBody &of_p = body_[s.p], &of_q = body_[s.q];
-    const CollisionMass mass_p = shared_mass({of_p.inverse_mass, of_p.inverse_inertia}, corners_[s.p]);
-    const CollisionMass mass_q = shared_mass({of_q.inverse_mass, of_q.inverse_inertia}, corners_[s.q]);
+    const SubBody &of_p = body_[entry_p], &of_q = body_[entry_q];
+    const CollisionMass mass_p = shared_mass({of_p.inverse_mass, of_p.inverse_inertia}, corners_[entry_p]);
+    const CollisionMass mass_q = shared_mass({of_q.inverse_mass, of_q.inverse_inertia}, corners_[entry_q]);
     const ContactCompliance compliance = contact_compliance(mass_p, s.corner, mass_q, arm_q, s.normal);
     s.full_stiffness = stiffness;
     s.law = stable_law({stiffness, corner_damping(e.contact, stiffness, inverse_mass),
@@ -175,26 +202,29 @@ void CompliantContacts::fill(const FieldState& f, Contacts contacts, std::int64_
     const std::int32_t owner = f.constants.owner_of(contact.a);
     const std::int32_t vertex = b.vertex_begin[p] - b.vertex_begin[found.of_b ? contact.b : owner] + found.corner;
     point_key_[k] = contact_key(owner, contact.b, 2 * vertex + (found.of_b ? 1 : 0));
-    keep(s, point_key_[k], step == 0 && s.depth > 0.0);
+    keep(s, point_key_[k], at_start_ && s.depth > 0.0);
   }
 }
 
 /// Lists the points of every body, in order of the points.
 void CompliantContacts::sum_rows() {
   row_begin_.assign(body_.size() + 1, 0);
-  for (const SubPoint& s : point_) ++row_begin_[s.p + 1], ++row_begin_[s.q + 1];
+  for (const SubPair& pair : pair_) row_begin_[pair.a + 1] += pair.count, row_begin_[pair.b + 1] += pair.count;
   for (std::size_t i = 1; i < row_begin_.size(); ++i) row_begin_[i] += row_begin_[i - 1];
   row_.resize(2 * point_.size());
   std::vector<std::int32_t> next(row_begin_.begin(), row_begin_.end() - 1);
-  for (std::size_t k = 0; k < point_.size(); ++k) {
-    row_[next[point_[k].p]++] = static_cast<std::int32_t>(2 * k);
-    row_[next[point_[k].q]++] = static_cast<std::int32_t>(2 * k + 1);
-  }
+  for (const SubPair& pair : pair_)
+    for (std::int32_t k = pair.first; k < pair.first + pair.count; ++k) {
+      point_[k].overlaps = false;
+      row_[next[pair.a]++] = 2 * k;
+      row_[next[pair.b]++] = 2 * k + 1;
+    }
 }
 
 void CompliantContacts::begin(const FieldState& f, Contacts contacts, std::int64_t step, ThreadTeam& team, int rank) {
   team.single(rank, [&] {
     part_.resize(std::max(part_.size(), static_cast<std::size_t>(team.size())));
+    at_start_ = step == 0;
     if (f.piece_corner.empty() || !hidden_side_.empty()) return;
     hidden_side_.resize(f.piece_corner.size());
     no_corner_.resize(f.piece_corner.size());
@@ -204,21 +234,29 @@ void CompliantContacts::begin(const FieldState& f, Contacts contacts, std::int64
   team.barrier();
   team.single(rank, [&] { lay_out(f, contacts, team.size()); });
   team.for_each(rank, static_cast<std::int64_t>(pair_.size()),
-                [&](std::int64_t i) { fill(f, contacts, step, pair_[i], pair_[i].first); });
+                [&](std::int64_t i) { watch_pair(f, contacts, pair_[i]); });
   team.single(rank, [&] { sum_rows(); });
+}
+
+/// Impulse and twist of all corners on a body. Returns whether any overlaps.
+bool CompliantContacts::sum_of(std::int64_t entry, Vec2& impulse, double& twist) const {
+  bool any = false;
+  for (std::int32_t r = row_begin_[entry]; r < row_begin_[entry + 1]; ++r) {
+    const SubPoint& s = point_[row_[r] / 2];
+    if (!s.overlaps) continue;
+    const bool is_p = s.of_b == (row_[r] % 2 == 1);
+    impulse += is_p ? s.impulse : -s.impulse;
+    twist += is_p ? s.twist_p : s.twist_q;
+    any = true;
+  }
+  return any;
 }
 
 void CompliantContacts::move_platform(FieldState& f) {
   Vec2 impulse;
   double twist = 0.0;
   SubBody& b = body_[platform_];
-  for (std::int32_t r = row_begin_[platform_]; r < row_begin_[platform_ + 1]; ++r) {
-    const SubPoint& s = point_[row_[r] / 2];
-    if (!s.overlaps) continue;
-    impulse += row_[r] % 2 ? -s.impulse : s.impulse;
-    twist += row_[r] % 2 ? s.twist_q : s.twist_p;
-  }
-  push(b, impulse, twist);
+  if (sum_of(platform_, impulse, twist)) push(b, impulse, twist);
   const PlatformSpeed alone{b.velocity, b.spin};
   const double angle = platform_substep(f, of_substep_, alone);
   b.velocity = f.bodies.velocity[0];
@@ -227,35 +265,51 @@ void CompliantContacts::move_platform(FieldState& f) {
   set_turn(b, b.turn + angle);
 }
 
-void CompliantContacts::move_bodies(FieldState& f, const ThreadTeam& team, int rank) {
+void CompliantContacts::move_bodies(FieldState& f, std::int64_t substep, const ThreadTeam& team, int rank) {
   const auto n = static_cast<std::int64_t>(body_.size());
   for (std::int64_t i = team.begin_of(rank, n); i < team.begin_of(rank + 1, n); ++i) {
-    if (i == platform_) {
-      move_platform(f);
-      continue;
-    }
     SubBody& b = body_[i];
-    if (!(b.inverse_mass > 0.0)) continue;
-    Vec2 impulse;
-    double twist = 0.0;
-    bool pushed = false;
-    for (std::int32_t r = row_begin_[i]; r < row_begin_[i + 1]; ++r) {
-      const SubPoint& s = point_[row_[r] / 2];
-      if (!s.overlaps) continue;
-      impulse += row_[r] % 2 ? -s.impulse : s.impulse;
-      twist += row_[r] % 2 ? s.twist_q : s.twist_p;
-      pushed = true;
+    if (i == platform_)
+      move_platform(f);
+    else if (touched_[i] == 0 || !(b.inverse_mass > 0.0))
+      continue;
+    else {
+      if (touched_[i] == 1) b = after_free_motion(b, static_cast<double>(substep), h_);
+      touched_[i] = 2;
+      Vec2 impulse;
+      double twist = 0.0;
+      if (sum_of(i, impulse, twist)) push(b, impulse, twist);
+      move(b, h_);
     }
-    if (pushed) push(b, impulse, twist);
-    move(b, h_);
+    stray_[i] = stray_of(b, static_cast<double>(substep + 1), h_);
   }
 }
 
-void CompliantContacts::run(FieldState& f, ThreadTeam& team, int rank) {
+void CompliantContacts::press_range(const FieldState& f, Contacts contacts, std::int64_t substep, std::int64_t begin,
+                                    std::int64_t end) {
+  const auto n = static_cast<double>(substep);
+  const double t = n * h_;
+  for (std::int64_t i = begin; i < end; ++i) {
+    SubPair& pair = pair_[i];
+    if (!pair.presses && is_apart(pair, t, stray_[pair.a], stray_[pair.b])) continue;
+    if (!pair.is_open) open(f, contacts, pair);
+    const auto is_free = [&](std::int32_t entry) { return touched_of(entry) < 2 && entry != platform_; };
+    SubBody free_a, free_b;
+    const SubBody *a = &body_[pair.a], *b = &body_[pair.b];
+    if (is_free(pair.a)) free_a = after_free_motion(*a, n, h_), a = &free_a;
+    if (is_free(pair.b)) free_b = after_free_motion(*b, n, h_), b = &free_b;
+    if (!press_pair(pair, &point_[pair.first], *a, *b, h_)) continue;
+    for (const std::int32_t entry : {pair.a, pair.b})
+      if (touched_of(entry) == 0) note_touch(entry);
+  }
+}
+
+void CompliantContacts::run(FieldState& f, Contacts contacts, ThreadTeam& team, int rank) {
   const auto pairs = static_cast<std::int64_t>(pair_.size());
   for (std::int64_t s = 0; s < substeps_; ++s) {
-    team.for_each(rank, pairs, [&](std::int64_t i) { press_pair(pair_[i], point_.data(), body_.data(), h_); });
-    move_bodies(f, team, rank);
+    press_range(f, contacts, s, team.begin_of(rank, pairs), team.begin_of(rank + 1, pairs));
+    team.barrier();
+    move_bodies(f, s, team, rank);
     team.barrier();
   }
 }
@@ -266,7 +320,7 @@ void CompliantContacts::hand_back(FieldState& f, std::int32_t entry) {
   Bodies& b = f.bodies;
   const std::int32_t i = body_id_[entry];
   f.book(Channel::impact, i).energy += s.contact_work;
-  if (entry == platform_ || b.kind[i] != BodyKind::floe) return;
+  if (entry == platform_ || b.kind[i] != BodyKind::floe || touched_[entry] == 0) return;
   // the books of the other loads were made as if they acted alone
   Quantity& drag = f.book(Channel::drag, i);
   const Vec2 impulse = s.mass * (b.velocity[i] - velocity_before_[i]);
@@ -332,8 +386,7 @@ void CompliantContacts::tell_pair(FieldState& f, const SubPair& pair, Contact& c
   if (dot(impulse, impulse) > 0.0)
     slot.arm_b += ((moment - cross(slot.arm_b, impulse)) / dot(impulse, impulse)) * turned_right(impulse);
   const std::int32_t owner = f.constants.owner_of(contact.a);
-  const Vec2 from = owner == 0 ? f.platform_position : bodies.position[owner];
-  slot.arm_a = slot.arm_b + bodies.position[contact.b] - from;
+  slot.arm_a = slot.arm_b + start_of(f, contact.b) - start_of(f, contact.a);
   const Vec2 before = velocity_before_[contact.b] + cross(spin_before_[contact.b], slot.arm_b) -
                       velocity_before_[owner] - cross(spin_before_[owner], slot.arm_a);
   slot.normal_before = dot(before, contact.normal);
@@ -363,7 +416,8 @@ void CompliantContacts::tell_pair(FieldState& f, const SubPair& pair, Contact& c
 void CompliantContacts::tell(FieldState& f, Contacts contacts, StepQuality& quality, StepLog& log) {
   const double left = energy_.left();
   for (Contact* contact : contacts) contact->count = 0;
-  for (const SubPair& pair : pair_) tell_pair(f, pair, *contacts[pair.contact], quality, log);
+  for (const SubPair& pair : pair_)
+    if (pair.is_open) tell_pair(f, pair, *contacts[pair.contact], quality, log);
   for (const SubBody& b : body_) energy_.work += b.contact_work;
   quality.iterations = static_cast<std::int32_t>(substeps_);
   quality.energy_created = larger(0.0, energy_.left() - left);

@@ -5,6 +5,7 @@
 //   finish   velocities and places of the bodies, impulses of the contacts, books
 #pragma once
 
+#include <atomic>
 #include <cstdint>
 #include <vector>
 
@@ -23,7 +24,7 @@ class CompliantContacts {
 
   // called by every thread of a team, in this order
   void begin(const FieldState& f, Contacts contacts, std::int64_t step, ThreadTeam& team, int rank);
-  void run(FieldState& f, ThreadTeam& team, int rank);
+  void run(FieldState& f, Contacts contacts, ThreadTeam& team, int rank);
   void finish(FieldState& f, Contacts contacts, ThreadTeam& team, int rank, StepQuality& quality, StepLog& log);
 
   /// Velocities before the other loads of the time step, to be set before they act.
@@ -48,10 +49,20 @@ class CompliantContacts {
   void find(const FieldState& f, Contacts contacts, const ThreadTeam& team, int rank);
   void lay_out(const FieldState& f, Contacts contacts, int threads);
   std::int32_t enter(const FieldState& f, std::int32_t body);
-  void fill(const FieldState& f, Contacts contacts, std::int64_t step, SubPair& pair, std::int32_t from);
+  void watch_pair(const FieldState& f, Contacts contacts, SubPair& pair);
+  void open(const FieldState& f, Contacts contacts, SubPair& pair);
+  void press_range(const FieldState& f, Contacts contacts, std::int64_t substep, std::int64_t begin, std::int64_t end);
+  // several threads may note the same touch
+  std::uint8_t touched_of(std::int32_t entry) {
+    return std::atomic_ref<std::uint8_t>(touched_[entry]).load(std::memory_order_relaxed);
+  }
+  void note_touch(std::int32_t entry) {
+    std::atomic_ref<std::uint8_t>(touched_[entry]).store(1, std::memory_order_relaxed);
+  }
+  bool sum_of(std::int64_t entry, Vec2& impulse, double& twist) const;
   void keep(SubPoint& point, std::uint64_t key, bool fresh);
   void sum_rows();
-  void move_bodies(FieldState& f, const ThreadTeam& team, int rank);
+  void move_bodies(FieldState& f, std::int64_t substep, const ThreadTeam& team, int rank);
   void move_platform(FieldState& f);
   Surface surface_of(const FieldState& f, std::int32_t body) const;
   void hand_back(FieldState& f, std::int32_t entry);
@@ -61,6 +72,7 @@ class CompliantContacts {
 
   std::int64_t substeps_ = 1;
   double h_ = 0.0;  // [s]
+  bool at_start_ = false;  // of the run: what overlaps now has been crushed before
   StepConstants of_substep_;
   std::vector<std::uint8_t> hidden_side_, no_corner_;  // of the pieces of the platform, indexed as bodies.vertex
 
@@ -76,7 +88,9 @@ class CompliantContacts {
   std::vector<std::int32_t> body_id_;  // per entry
   std::vector<std::int32_t> entry_of_; // per body; -1: none
   std::vector<std::int32_t> corners_;  // per entry: corners within reach
-  std::vector<std::int32_t> row_begin_, row_;  // per entry: its points; 2 x point + (1: as q)
+  std::vector<double> stray_;          // per entry [m]
+  std::vector<std::uint8_t> touched_;  // per entry: 0 free, 1 touched in this substep, 2 before
+  std::vector<std::int32_t> row_begin_, row_;  // per entry: its points; 2 x point + (1: of b)
   std::int32_t platform_ = -1;         // its entry
 
   std::vector<std::uint64_t> key_;

@@ -72,7 +72,7 @@ void CpuEngine::run(ThreadTeam& team, int rank, StepLog& log) {
     if (coupled) coupled_.gather(f, pairs_.contacts(), team, rank);
   if constexpr (stage == Stage::iterate) {
     if (coupled) coupled_.iterate(f, pairs_.contacts(), team, rank);
-    if (compliant) compliant_.run(f, team, rank);
+    if (compliant) compliant_.run(f, pairs_.contacts(), team, rank);
   }
   if constexpr (stage == Stage::settle) {
     if (coupled) coupled_.settle(f, pairs_.contacts(), team, rank, quality_);

@@ -32,3 +32,7 @@ target_link_libraries(ice_distances PRIVATE gem_simulator)
 # The error in time of each law: validation/time_step_study.md.
 add_executable(law_study EXCLUDE_FROM_ALL bench/law_study.cpp)
 target_link_libraries(law_study PRIVATE gem_simulator)
+
+# How much loads depend on a setting: bench/results.
+add_executable(load_ensemble EXCLUDE_FROM_ALL bench/load_ensemble.cpp)
+target_link_libraries(load_ensemble PRIVATE gem_simulator)

@@ -9,6 +9,7 @@
 
 #include <cstdint>
 
+#include "gem/base/choose.h"
 #include "gem/geometry/separating_axes.h"
 
 namespace gem {
@@ -40,31 +41,34 @@ GEM_HD inline SideDistance outermost_side(const Surface& s, Vec2 y) {
 /// The nearest visible side of a point inside the outline; side < 0: the point is not inside.
 GEM_HD inline SideDistance nearest_side(const Surface& s, Vec2 y) {
   SideDistance best{-1, -1e300};
+  double outermost = -1e300;
   for (int j = 0; j < s.outline.count; ++j) {
     const double distance = dot(s.outline.normal[j], y - s.outline.corner[j]);
-    if (!(distance < 0.0)) return {};
-    if (distance > best.distance && s.shows(j)) best = {j, distance};
+    outermost = larger(outermost, distance);
+    const bool nearer = distance > best.distance && s.shows(j);
+    best.side = nearer ? j : best.side;
+    best.distance = nearer ? distance : best.distance;
   }
-  return best;
+  return outermost < 0.0 ? best : SideDistance{};
 }
 
-/// Where the two sides of a corner at `y` leave the outline, as shares of their lengths; 1: the other end is inside too.
-struct Exits {
-  double share[2] = {1.0, 1.0};
-};
-
-/// `flank`: from the corner to its two neighbours [m].
-GEM_HD inline Exits exits(const Outline& o, Vec2 y, const Vec2 flank[2]) {
-  Exits e;
-  for (int j = 0; j < o.count; ++j) {
-    const Vec2 normal = o.normal[j];
-    const double room = dot(normal, o.corner[j] - y);
-    for (int k = 0; k < 2; ++k) {
-      const double rise = dot(normal, flank[k]);
-      if (rise > 0.0 && room < e.share[k] * rise) e.share[k] = room / rise;
-    }
+/// Where a stretch `flank` that begins at `y`, inside the outline, leaves it, as a share of its length; 1: nowhere.
+/// `side`: where it probably does.
+GEM_HD inline double exit_of(const Outline& o, int side, Vec2 y, Vec2 flank) {
+  const Vec2 normal = o.normal[side], begin = o.corner[side], end = o.corner[side + 1 < o.count ? side + 1 : 0];
+  const double room = dot(normal, begin - y), rise = dot(normal, flank);
+  if (room < rise) {
+    // a crossing with the line of the side is one with the outline if it is between the ends of the side
+    const double share = room / rise;
+    const Vec2 x = y + share * flank;
+    if (dot(end - begin, x - begin) >= 0.0 && dot(end - begin, x - end) <= 0.0) return share;
   }
-  return e;
+  double share = 1.0;
+  for (int j = 0; j < o.count; ++j) {
+    const double room_j = dot(o.normal[j], o.corner[j] - y), rise_j = dot(o.normal[j], flank);
+    if (room_j < share * rise_j) share = room_j / rise_j;
+  }
+  return share;
 }
 
 /// Calls take(corner, side) for every corner of `p` that is closer than `reach` to `q` [m]. `to_p` is the vector from

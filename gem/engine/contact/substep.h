@@ -25,13 +25,17 @@
 
 namespace gem {
 
+/// Place and speed of a body in a substep.
+struct SubMotion {
+  Vec2 shift;                       // since the start of the time step [m]
+  double turn = 0.0;                // [rad]
+  double cosine = 1.0, sine = 0.0;  // of the turn
+  Vec2 velocity;                    // [m/s]
+  double spin = 0.0;                // [rad/s]
+};
+
 /// A body during the substeps.
-struct SubBody {
-  Vec2 shift;                        // since the start of the time step [m]
-  double turn = 0.0;                 // [rad]
-  double cosine = 1.0, sine = 0.0;   // of the turn
-  Vec2 velocity;                     // [m/s]
-  double spin = 0.0;                 // [rad/s]
+struct SubBody : SubMotion {
   Vec2 start_velocity;               // at the start of the time step [m/s]
   double start_spin = 0.0;           // [rad/s]
   double radius = 0.0;               // of every point that a corner may meet [m]
@@ -66,7 +70,8 @@ struct SubPoint {
   Surface surface;              // q at the start
   // of this substep
   double depth = 0.0, speed_n = 0.0, speed_t = 0.0, trial = 0.0;
-  Vec2 axis;                    // outward normal of the nearest side of q
+  int side = 0;                 // of q, nearest
+  Vec2 axis;                    // its outward normal
   Vec2 arm_p, arm_q;            // to the corner [m]
   Vec2 crossing[2];             // of the outlines, beside the corner, from p's centroid at the start [m]
   Vec2 impulse;                 // [N s]
@@ -98,11 +103,11 @@ struct SubPair {
 };
 
 /// Turns `x` as the body has turned.
-GEM_HD GEM_INLINE Vec2 turned_with(const SubBody& b, Vec2 x) {
+GEM_HD GEM_INLINE Vec2 turned_with(const SubMotion& b, Vec2 x) {
   return {b.cosine * x.x - b.sine * x.y, b.sine * x.x + b.cosine * x.y};
 }
 /// A vector of the world in the axes that the body had at the start.
-GEM_HD GEM_INLINE Vec2 in_axes_of(const SubBody& b, Vec2 x) {
+GEM_HD GEM_INLINE Vec2 in_axes_of(const SubMotion& b, Vec2 x) {
   return {b.cosine * x.x + b.sine * x.y, b.cosine * x.y - b.sine * x.x};
 }
 
@@ -120,7 +125,7 @@ GEM_HD inline void leave(SubPoint& s, double h) {
 }
 
 /// Depth, speeds and the force of spring and dashpot alone, at the present places. Returns whether the corner overlaps.
-GEM_HD inline bool touch(SubPoint& s, const SubBody& p, const SubBody& q) {
+GEM_HD inline bool touch(SubPoint& s, const SubMotion& p, const SubMotion& q) {
   const Vec2 arm_p = turned_with(p, s.corner);
   const Vec2 arm_q = s.between + p.shift - q.shift + arm_p;
   const Vec2 y = in_axes_of(q, arm_q);
@@ -128,6 +133,7 @@ GEM_HD inline bool touch(SubPoint& s, const SubBody& p, const SubBody& q) {
   const SideDistance nearest = nearest_side(s.surface, y);
   if (nearest.side < 0) return false;
   s.depth = -nearest.distance;
+  s.side = nearest.side;
   s.axis = turned_with(q, s.surface.outline.normal[nearest.side]);
   s.arm_p = arm_p;
   s.arm_q = arm_q;
@@ -139,11 +145,12 @@ GEM_HD inline bool touch(SubPoint& s, const SubBody& p, const SubBody& q) {
 }
 
 /// The two crossings of the outlines beside a corner that overlaps.
-GEM_HD inline void find_crossings(SubPoint& s, const SubBody& p, const SubBody& q) {
-  const Vec2 world[2] = {turned_with(p, s.flank[0]), turned_with(p, s.flank[1])};
-  const Vec2 flank[2] = {in_axes_of(q, world[0]), in_axes_of(q, world[1])};
-  const Exits e = exits(s.surface.outline, in_axes_of(q, s.arm_q), flank);
-  for (int k = 0; k < 2; ++k) s.crossing[k] = p.shift + s.arm_p + e.share[k] * world[k];
+GEM_HD inline void find_crossings(SubPoint& s, const SubMotion& p, const SubMotion& q) {
+  const Vec2 y = in_axes_of(q, s.arm_q);
+  for (int k = 0; k < 2; ++k) {
+    const Vec2 flank = turned_with(p, s.flank[k]);
+    s.crossing[k] = p.shift + s.arm_p + exit_of(s.surface.outline, s.side, y, in_axes_of(q, flank)) * flank;
+  }
 }
 
 /// Books the work since the last force of the corner: means of the forces before and after, times what sprang, crushed
@@ -167,7 +174,7 @@ GEM_HD inline void book_corner(SubPoint& s, const CornerMemory& before, double e
 }
 
 /// The force of a corner, which crushing has bound to `force` if `crushes` [N].
-GEM_HD inline void press(SubPoint& s, const SubBody& q, double force, bool crushes, double h) {
+GEM_HD inline void press(SubPoint& s, const SubMotion& q, double force, bool crushes, double h) {
   CornerMemory before = s.memory;
   CornerMemory& m = s.memory;
   // a stiffness that has fallen since the corner was last loaded takes energy with it
@@ -239,7 +246,7 @@ GEM_HD inline double chord_of(const SubPoint* points, int count) {
 }
 
 /// Forces of one pair in a substep of length h [s]. Returns whether a corner overlaps.
-GEM_HD inline bool press_pair(SubPair& pair, SubPoint* points, const SubBody& a, const SubBody& b, double h) {
+GEM_HD inline bool press_pair(SubPair& pair, SubPoint* points, const SubMotion& a, const SubMotion& b, double h) {
   int inside = 0;
   CornerMemory left;
   bool hands_over = false;
@@ -276,7 +283,7 @@ GEM_HD inline bool press_pair(SubPair& pair, SubPoint* points, const SubBody& a,
     for (int k = 0; k < pair.count; ++k)
       if (points[k].overlaps) points[k].of_b ? find_crossings(points[k], b, a) : find_crossings(points[k], a, b);
     chord = chord_of(points, pair.count);
-    const double bound = chord > 0.0 ? pair.bound * strict::power(chord, pair.exponent) : 0.0;
+    const double bound = chord > 0.0 ? pair.bound * strict::power_short(chord, pair.exponent) : 0.0;
     if (sum > bound) share = bound / sum;
   }
   for (int k = 0; k < pair.count; ++k) {
@@ -303,7 +310,7 @@ GEM_HD inline void push(SubBody& b, Vec2 impulse, double twist) {
 }
 
 /// Sets the turn of a body. The polynomials are exact to 1e-10 up to 0.2 rad.
-GEM_HD inline void set_turn(SubBody& b, double turn) {
+GEM_HD inline void set_turn(SubMotion& b, double turn) {
   const double t2 = turn * turn;
   b.turn = turn;
   b.cosine = 1.0 - t2 * (1.0 / 2.0 - t2 * (1.0 / 24.0 - t2 * (1.0 / 720.0)));
@@ -320,17 +327,23 @@ GEM_HD GEM_INLINE FreeMotion free_motion(const SubBody& b, double n, double h) {
   return {h * (n * b.start_velocity + kicks * b.kick), h * (n * b.start_spin + kicks * b.kick_spin)};
 }
 
-/// The body after `n` free substeps, its books included.
-GEM_HD inline SubBody after_free_motion(SubBody b, double n, double h) {
-  const FreeMotion m = free_motion(b, n, h);
-  b.velocity = b.start_velocity + n * b.kick;
-  b.spin = b.start_spin + n * b.kick_spin;
-  b.shift = m.shift;
-  set_turn(b, m.turn);
+/// Place and speed of a body after `n` free substeps.
+GEM_HD inline SubMotion after_free_motion(const SubBody& b, double n, double h) {
+  const FreeMotion free = free_motion(b, n, h);
+  SubMotion m;
+  m.velocity = b.start_velocity + n * b.kick;
+  m.spin = b.start_spin + n * b.kick_spin;
+  m.shift = free.shift;
+  set_turn(m, free.turn);
+  return m;
+}
+
+/// Ends the free motion of a body after `n` substeps; its books follow.
+GEM_HD inline void end_free_motion(SubBody& b, double n, double h) {
+  static_cast<SubMotion&>(b) = after_free_motion(b, n, h);
   b.shift_sum = h * ((0.5 * n * (n - 1.0)) * b.start_velocity + ((n - 1.0) * n * (n + 1.0) / 6.0) * b.kick);
   b.kick_work = n * (b.mass * dot(b.kick, b.start_velocity + (0.5 * n) * b.kick) +
                      b.inertia * b.kick_spin * (b.start_spin + 0.5 * n * b.kick_spin));
-  return b;
 }
 
 /// Bound on how far any point of a body is from its free motion after `n` substeps [m].

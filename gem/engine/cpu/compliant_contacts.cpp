@@ -274,7 +274,7 @@ void CompliantContacts::move_bodies(FieldState& f, std::int64_t substep, const T
     else if (touched_[i] == 0 || !(b.inverse_mass > 0.0))
       continue;
     else {
-      if (touched_[i] == 1) b = after_free_motion(b, static_cast<double>(substep), h_);
+      if (touched_[i] == 1) end_free_motion(b, static_cast<double>(substep), h_);
       touched_[i] = 2;
       Vec2 impulse;
       double twist = 0.0;
@@ -294,11 +294,10 @@ void CompliantContacts::press_range(const FieldState& f, Contacts contacts, std:
     if (!pair.presses && is_apart(pair, t, stray_[pair.a], stray_[pair.b])) continue;
     if (!pair.is_open) open(f, contacts, pair);
     const auto is_free = [&](std::int32_t entry) { return touched_of(entry) < 2 && entry != platform_; };
-    SubBody free_a, free_b;
-    const SubBody *a = &body_[pair.a], *b = &body_[pair.b];
-    if (is_free(pair.a)) free_a = after_free_motion(*a, n, h_), a = &free_a;
-    if (is_free(pair.b)) free_b = after_free_motion(*b, n, h_), b = &free_b;
-    if (!press_pair(pair, &point_[pair.first], *a, *b, h_)) continue;
+    const auto motion_of = [&](std::int32_t entry) -> SubMotion {
+      return is_free(entry) ? after_free_motion(body_[entry], n, h_) : static_cast<const SubMotion&>(body_[entry]);
+    };
+    if (!press_pair(pair, &point_[pair.first], motion_of(pair.a), motion_of(pair.b), h_)) continue;
     for (const std::int32_t entry : {pair.a, pair.b})
       if (touched_of(entry) == 0) note_touch(entry);
   }

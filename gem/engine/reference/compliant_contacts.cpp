@@ -162,7 +162,8 @@ CompliantContacts::PairLaw CompliantContacts::law_of(const Rules& rules, const B
 }
 
 /// The corners with their speeds and what they remember, which is taken out of `before`. The ice in front of a corner
-/// that overlaps at t = 0 (`first`) is crushed.
+/// that overlaps at t = 0 (`first`) is crushed. So is that of a corner which comes in beside its side: its spring
+/// starts with what it closes in this substep.
 std::vector<CompliantContacts::Corner> CompliantContacts::recall(const Bodies& b, const Overlap& overlap, bool first,
                                                                  Memory& before) const {
   std::vector<Corner> corners;
@@ -176,10 +177,11 @@ std::vector<CompliantContacts::Corner> CompliantContacts::recall(const Bodies& b
     const auto found = before.find(c.key);
     if (found != before.end()) {
       c.memory = found->second;
-      before.erase(found);
-    } else if (first) {
-      c.memory.crushed = at.depth;
+    } else {
+      c.memory.crushed = first ? at.depth : std::max(0.0, at.depth - std::max(0.0, -h_ * c.u_n));
     }
+    c.fresh = found == before.end() || !(c.memory.normal > 0.0 || c.memory.crushed > 0.0);
+    if (found != before.end()) before.erase(found);
     corners.push_back(c);
   }
   return corners;
@@ -193,9 +195,7 @@ void CompliantContacts::hand_over(const Overlap& overlap, std::vector<Corner>& c
   for (auto at = before.lower_bound(contact_key(overlap.a, overlap.b, 0)); at != end; ++at)
     if (at->second.normal > (left == end ? 0.0 : left->second.normal)) left = at;
   if (left == end) return;
-  const auto fresh = std::find_if(corners.begin(), corners.end(), [](const Corner& c) {
-    return !(c.memory.normal > 0.0) && !(c.memory.crushed > 0.0);
-  });
+  const auto fresh = std::find_if(corners.begin(), corners.end(), [](const Corner& c) { return c.fresh; });
   if (fresh == corners.end()) return;
   CornerMemory& m = fresh->memory;
   m = left->second;

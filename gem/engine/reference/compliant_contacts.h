@@ -42,6 +42,7 @@ class CompliantContacts {
     CornerInside at;
     std::uint64_t key = 0;
     CornerMemory memory;
+    bool fresh = false;           // was not inside, or not loaded yet
     double u_n = 0.0, u_t = 0.0;  // [m/s]
     double trial = 0.0;           // force of spring and dashpot [N]
   };

@@ -8,19 +8,34 @@
 namespace gem::reference {
 namespace {
 
-/// Sets the nearest side of `q` and the depth behind it for the point `y` from q's centroid. Returns whether the point
-/// is inside.
-bool find_nearest_side(const TurnedOutline& q, Vec2 y, CornerInside& found) {
-  found.depth = std::numeric_limits<double>::infinity();
+/// Whether corner k of `p` can meet a side from its outside: its neighbours are farther out, or less than 45 degrees
+/// deeper. A side past which p already reaches in is not met.
+bool can_meet(const TurnedOutline& p, std::size_t k, Vec2 normal) {
+  constexpr double steepest = 0.7;
+  const std::size_t count = p.corner.size();
+  for (const std::size_t neighbour : {(k + 1) % count, (k + count - 1) % count}) {
+    const Vec2 flank = p.corner[neighbour] - p.corner[k];
+    if (dot(normal, flank) < -steepest * length(flank)) return false;
+  }
+  return true;
+}
+
+/// Sets the nearest side of `q` that corner k of `p` can meet, and the depth behind it. Returns whether there is one
+/// and the corner is inside. `closed`: a corner on another side of q is inside; so of aligned faces that overlap two
+/// corners touch, not four or none.
+bool find_nearest_side(const TurnedOutline& p, std::size_t k, const TurnedOutline& q, Vec2 place_in_q, bool closed,
+                       CornerInside& found) {
+  constexpr double none = std::numeric_limits<double>::infinity();
+  found.depth = none;
   for (std::size_t side = 0; side < q.corner.size(); ++side) {
-    const double depth = dot(q.normal[side], q.corner[side] - y);
-    if (!(depth > 0.0)) return false;
-    if (depth < found.depth) {
+    const double depth = dot(q.normal[side], q.corner[side] - place_in_q);
+    if (depth < 0.0 || (depth == 0.0 && !closed)) return false;
+    if (depth < found.depth && can_meet(p, k, q.normal[side])) {
       found.depth = depth;
       found.normal = q.normal[side];
     }
   }
-  return !q.corner.empty();
+  return found.depth > 0.0 && found.depth < none;
 }
 
 /// Appends the corners of p that are inside q.
@@ -28,7 +43,8 @@ void find_corners(const Bodies& b, const std::vector<TurnedOutline>& outline, st
                   std::vector<CornerInside>& corners) {
   for (std::size_t k = 0; k < outline[p].corner.size(); ++k) {
     CornerInside found{p, q, static_cast<std::int32_t>(k), 0.0, {}, b.position[p] + outline[p].corner[k]};
-    if (find_nearest_side(outline[q], found.place - b.position[q], found)) corners.push_back(found);
+    if (find_nearest_side(outline[p], k, outline[q], found.place - b.position[q], p > q, found))
+      corners.push_back(found);
   }
 }
 

@@ -14,7 +14,7 @@ namespace gem::reference {
 struct CornerInside {
   std::int32_t p = 0, q = 0;
   std::int32_t corner = 0;  // of p
-  double depth = 0.0;       // distance from the nearest side of q [m]
+  double depth = 0.0;       // distance from the nearest side of q that the corner can meet [m]
   Vec2 normal;              // of that side, outward
   Vec2 place;               // [m]
 };

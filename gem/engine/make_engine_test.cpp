@@ -11,7 +11,7 @@ namespace {
 TEST(MakeEngine, RefusesASolverThatTheEngineDoesNotHave) {
   SceneDef scene;
   const Bodies field = make_field(scene);
-  scene.contact.solver = static_cast<ContactSolver>(2);
+  scene.contact.solver = static_cast<ContactSolver>(3);
   for (const std::string& name : engine_names()) {
     try {
       make_engine(scene, field, {.name = name, .threads = 1});

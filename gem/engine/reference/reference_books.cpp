@@ -121,9 +121,9 @@ void close_ledger(const Rules& rules, State& s) {
   ledger.energy_scale = std::max(ledger.energy_scale, sum_of_energies(ledger));
 }
 
-double crushed_thickness(const Bodies& b, const Touch& touch) {
-  const double of_b = b.thickness[touch.b];
-  return b.kind[touch.a] == BodyKind::floe ? std::min(b.thickness[touch.a], of_b) : of_b;
+double crushed_thickness(const Bodies& bodies, std::int32_t a, std::int32_t b) {
+  const double of_b = bodies.thickness[b];
+  return bodies.kind[a] == BodyKind::floe ? std::min(bodies.thickness[a], of_b) : of_b;
 }
 
 Vec2 relative_velocity(const Bodies& b, const Touch& touch, const TouchPoint& p) {

@@ -16,7 +16,7 @@ Quantity total_of(const Rules& rules, const State& s);
 void close_ledger(const Rules& rules, State& s);
 
 /// Thickness of the ice that crushes: the thinner floe. Platform and fixed bodies do not crush [m].
-double crushed_thickness(const Bodies& bodies, const Touch& touch);
+double crushed_thickness(const Bodies& bodies, std::int32_t a, std::int32_t b);
 
 /// Velocity of B relative to A at a point [m/s].
 Vec2 relative_velocity(const Bodies& bodies, const Touch& touch, const TouchPoint& point);

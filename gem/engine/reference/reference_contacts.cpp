@@ -18,7 +18,8 @@ ContactCompliance compliance_of(const Bodies& b, const Touch& touch, const Touch
 }
 
 CrushingIce ice_of(const Rules& rules, const Bodies& b, const Touch& touch) {
-  return {rules.scene.ice.crushing_pressure_Pa, rules.scene.ice.pressure_area_exponent, crushed_thickness(b, touch)};
+  return {rules.scene.ice.crushing_pressure_Pa, rules.scene.ice.pressure_area_exponent,
+          crushed_thickness(b, touch.a, touch.b)};
 }
 
 /// Independent: separating speed that the elastic stress asks for, limited by crushing [m/s].

@@ -5,6 +5,8 @@
 // | contacts | each pair alone, or all together: impulses on those velocities                            |
 // | books    | work and momentum of the contacts                                                         |
 // | motion   | floes with their new velocities; second half of the platform's motion                     |
+//
+// Compliant: all of it in every substep, see compliant_contacts.h.
 #include "gem/engine/reference/reference_engine.h"
 
 #include <algorithm>
@@ -19,8 +21,11 @@
 
 namespace gem {
 
-ReferenceEngine::ReferenceEngine(const SceneDef& scene, Bodies bodies) : rules_(reference::rules_of(scene, bodies)) {
-  check_solver(scene.contact.solver, {ContactSolver::independent, ContactSolver::coupled}, "reference");
+ReferenceEngine::ReferenceEngine(const SceneDef& scene, Bodies bodies, int refinement)
+    : rules_(reference::rules_of(scene, bodies)) {
+  check_solver(scene.contact.solver, {ContactSolver::independent, ContactSolver::coupled, ContactSolver::compliant},
+               "reference");
+  if (rules_.compliant()) compliant_.emplace(scene, bodies, refinement);
   state_.bodies = std::move(bodies);
   state_.ledger.start = total_of(rules_, state_);
 }
@@ -30,14 +35,19 @@ void ReferenceEngine::advance(std::int64_t steps, StepLog& log) {
   for (std::int64_t i = 0; i < steps; ++i) one_step(log);
 }
 
-void ReferenceEngine::one_step(StepLog& log) {
-  state_.begin_step(rules_);
+std::vector<reference::Touch> ReferenceEngine::move_in_substeps(StepQuality& quality, StepLog& log) {
+  const reference::State start = state_;
+  std::vector<reference::Touch> touches = compliant_->advance(rules_, state_, quality, log);
+  log_platform_events(rules_, start, touches, log);
+  return touches;
+}
+
+std::vector<reference::Touch> ReferenceEngine::collide(StepQuality& quality, StepLog& log) {
   std::vector<reference::Touch> touches =
       reference::all_touches(state_.bodies, rules_.piece_corner, rules_.scene.contact.manifold, rules_.contact_margin);
   drive_floes(rules_, state_);
   move_platform_before(rules_, state_);
 
-  StepQuality quality;
   if (rules_.coupled()) recall_points(touches);
   prepare_touches(rules_, state_, touches);
   if (rules_.coupled()) {
@@ -54,13 +64,19 @@ void ReferenceEngine::one_step(StepLog& log) {
 
   move_floes(rules_, state_);
   move_platform_after(rules_, state_);
+  return touches;
+}
+
+void ReferenceEngine::one_step(StepLog& log) {
+  state_.begin_step(rules_);
+  StepQuality quality;
+  touches_ = rules_.compliant() ? move_in_substeps(quality, log) : collide(quality, log);
   ++state_.steps;
   check_finite();
   retire_floes(rules_, state_);
-  log.platform.push_back(platform_sample(state_, touches));
+  log.platform.push_back(platform_sample(state_, touches_));
   if (rules_.dp.thrusters > 0) log.dp.push_back(state_.dp);
   log.quality.push_back(quality);
-  touches_ = std::move(touches);
   if (log.wants_forces) log_forces(log);
 }
 
@@ -134,7 +150,10 @@ Ledger ReferenceEngine::ledger() {
 }
 
 EngineState ReferenceEngine::save() {
-  return {state_.steps, state_.bodies, state_.ledger, {}, impulse_key_, impulse_value_, state_.broken, state_.dp};
+  EngineState state{state_.steps, state_.bodies,  state_.ledger, {},
+                    impulse_key_, impulse_value_, state_.broken, state_.dp};
+  if (compliant_) compliant_->save(state);
+  return state;
 }
 
 void ReferenceEngine::restore(const EngineState& state) {
@@ -146,6 +165,7 @@ void ReferenceEngine::restore(const EngineState& state) {
   touches_.clear();
   impulse_key_ = state.impulse_key;
   impulse_value_ = state.impulse_value;
+  if (compliant_) compliant_->restore(rules_.scene, state);
 }
 
 }  // namespace gem

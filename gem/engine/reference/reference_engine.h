@@ -8,10 +8,12 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "gem/engine/engine.h"
+#include "gem/engine/reference/compliant_contacts.h"
 #include "gem/engine/reference/reference_state.h"
 #include "gem/engine/reference/touch.h"
 
@@ -19,7 +21,8 @@ namespace gem {
 
 class ReferenceEngine : public Engine {
  public:
-  ReferenceEngine(const SceneDef& scene, Bodies bodies);
+  /// `refinement`: compliant: substeps for each one that the scene asks for.
+  ReferenceEngine(const SceneDef& scene, Bodies bodies, int refinement = 8);
 
   std::string name() const override { return "reference"; }
   double asked_residual() const override { return rules_.asked_residual; }
@@ -37,6 +40,9 @@ class ReferenceEngine : public Engine {
 
  private:
   void one_step(StepLog& log);
+  /// The contacts of a time step and the motion of all bodies: in substeps, or between the halves of the motion.
+  std::vector<reference::Touch> move_in_substeps(StepQuality& quality, StepLog& log);
+  std::vector<reference::Touch> collide(StepQuality& quality, StepLog& log);
   /// Gives the points what they have from the last time step.
   void log_forces(StepLog& log);
   void recall_points(std::vector<reference::Touch>& touches) const;
@@ -48,6 +54,7 @@ class ReferenceEngine : public Engine {
   std::vector<reference::Touch> touches_;   // of the last time step
   std::vector<std::uint64_t> impulse_key_;  // of the last coupled time step
   std::vector<PointMemory> impulse_value_;
+  std::optional<reference::CompliantContacts> compliant_;
 };
 
 }  // namespace gem

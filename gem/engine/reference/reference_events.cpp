@@ -32,6 +32,7 @@ ContactEvent event_of(const Rules& rules, const State& s, const Touch& touch, do
   e.normal = touch.normal;
   e.width = touch.width;
   e.impulse_normal = pressed;
+  e.largest_force = touch.largest_force;
   Vec2 arm_a, arm_b;
   for (const TouchPoint& p : touch.points) {
     const double share = p.impulse.normal / pressed;
@@ -51,7 +52,7 @@ ContactEvent event_of(const Rules& rules, const State& s, const Touch& touch, do
   e.growth = growth_of(touch, outline_a, outline_b);
   const double longest = longest_chord(touch, e.growth, outline_a, outline_b, b.position[touch.b] - s.platform_start);
   const CrushingIce ice{rules.scene.ice.crushing_pressure_Pa, rules.scene.ice.pressure_area_exponent,
-                        crushed_thickness(b, touch)};
+                        crushed_thickness(b, touch.a, touch.b)};
   const double energy = 0.5 * e.effective_mass * e.closing_speed * e.closing_speed;
   e.peak_force = crushing_peak(ice, e.growth, longest, energy).force;
   return e;

@@ -190,28 +190,6 @@ void thrust(const Rules& rules, State& s, bool commands) {
   take_water_along(rules, s, q, {before, spin});
 }
 
-/// Leads a ship in transit: it gets the path's velocity, and some of what it lags behind.
-void tow(const Rules& rules, State& s) {
-  if (!(rules.tow_rate > 0.0)) return;
-  Bodies& b = s.bodies;
-  const TowStep& to = s.drive.tow;
-  const Vec2 lag = to.place - b.position[0];
-  Vec2 change = to.velocity + rules.tow_rate * lag - b.velocity[0];
-  if (rules.thrust.present()) change -= dot(change, rules.thrust.course) * rules.thrust.course;
-  double turn = 0.0;
-  if (b.inverse_inertia[0] > 0.0)
-    turn = to.spin - b.spin[0] +
-           rules.tow_rate * cross({b.rotation[0].cosine, b.rotation[0].sine}, {to.rotation.cosine, to.rotation.sine});
-  const Vec2 impulse = b.mass[0] * change;
-  s.ledger.mooring_force.momentum += impulse;
-  s.ledger.mooring_force.angular_momentum += cross(b.position[0], impulse) + b.inertia[0] * turn;
-  s.ledger[Channel::mooring].energy +=
-      dot(impulse, b.velocity[0] + 0.5 * change) + b.inertia[0] * turn * (b.spin[0] + 0.5 * turn);
-  s.mooring_impulse += impulse;
-  b.velocity[0] += change;
-  b.spin[0] += turn;
-}
-
 /// Half a time step of the thrust of a ship in transit that runs free.
 void run_free(const Rules& rules, State& s) {
   if (!rules.thrust.present()) return;
@@ -279,9 +257,31 @@ void drive_floes(const Rules& rules, State& s) {
   }
 }
 
+/// Leads a ship in transit: it gets the path's velocity, and some of what it lags behind.
+void tow_platform(const Rules& rules, State& s) {
+  if (!(rules.tow_rate > 0.0)) return;
+  Bodies& b = s.bodies;
+  const TowStep& to = s.drive.tow;
+  const Vec2 lag = to.place - b.position[0];
+  Vec2 change = to.velocity + rules.tow_rate * lag - b.velocity[0];
+  if (rules.thrust.present()) change -= dot(change, rules.thrust.course) * rules.thrust.course;
+  double turn = 0.0;
+  if (b.inverse_inertia[0] > 0.0)
+    turn = to.spin - b.spin[0] +
+           rules.tow_rate * cross({b.rotation[0].cosine, b.rotation[0].sine}, {to.rotation.cosine, to.rotation.sine});
+  const Vec2 impulse = b.mass[0] * change;
+  s.ledger.mooring_force.momentum += impulse;
+  s.ledger.mooring_force.angular_momentum += cross(b.position[0], impulse) + b.inertia[0] * turn;
+  s.ledger[Channel::mooring].energy +=
+      dot(impulse, b.velocity[0] + 0.5 * change) + b.inertia[0] * turn * (b.spin[0] + 0.5 * turn);
+  s.mooring_impulse += impulse;
+  b.velocity[0] += change;
+  b.spin[0] += turn;
+}
+
 void move_platform_before(const Rules& rules, State& s) {
   if (!rules.platform_moves) return;
-  tow(rules, s);
+  tow_platform(rules, s);
   run_free(rules, s);
   thrust(rules, s, true);
   const PlatformSpeed before = speed_of_platform(s);
@@ -317,6 +317,13 @@ void move_platform_after(const Rules& rules, State& s) {
   thrust(rules, s, false);
   run_free(rules, s);
   s.carry_pieces();
+}
+
+void move_struck_platform(const Rules& rules, State& s, const PlatformSpeed& before) {
+  if (!rules.platform_moves) return;
+  take_water_along(rules, s, s.bodies.rotation[0], before);
+  move_platform_before(rules, s);
+  move_platform_after(rules, s);
 }
 
 void move_floes(const Rules& rules, State& s) {

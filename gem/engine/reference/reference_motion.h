@@ -13,6 +13,12 @@ void drive_floes(const Rules& rules, State& s);
 void move_platform_before(const Rules& rules, State& s);
 void move_platform_after(const Rules& rules, State& s);
 
+/// Leads a ship in transit before a time step.
+void tow_platform(const Rules& rules, State& s);
+
+/// A whole time step of the platform's own motion, when the contacts have changed its speed from `before`.
+void move_struck_platform(const Rules& rules, State& s, const PlatformSpeed& before);
+
 /// Moves every floe over the time step with its velocity after the contacts.
 void move_floes(const Rules& rules, State& s);
 

@@ -32,6 +32,7 @@ struct Rules {
   std::vector<PieceCorner> piece_corner;  // joints of a platform of several pieces
 
   bool coupled() const { return scene.contact.solver == ContactSolver::coupled; }
+  bool compliant() const { return scene.contact.solver == ContactSolver::compliant; }
 };
 
 Rules rules_of(const SceneDef& scene, const Bodies& bodies);

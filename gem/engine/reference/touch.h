@@ -44,9 +44,10 @@ struct TouchPoint {
 struct Touch {
   std::int32_t a = 0, b = 0;
   Vec2 normal;
-  double width = 0.0;     // chord or length of the facing edges [m]
-  double growth = 0.0;    // growth of the chord with depth [-]
-  double friction = 0.0;  // coefficient [-]
+  double width = 0.0;          // chord or length of the facing edges [m]
+  double growth = 0.0;         // growth of the chord with depth [-]
+  double friction = 0.0;       // coefficient [-]
+  double largest_force = 0.0;  // compliant: normal force within the time step [N]
   std::vector<TouchPoint> points;
 };
 

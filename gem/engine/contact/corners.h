@@ -1,8 +1,11 @@
 // Which corners of two convex outlines may overlap the other one within a time step, and how deep a corner is inside.
 //
 // Where two convex outlines overlap by little, a corner of one lies inside the other: the corner of a tip, both ends of
-// a facing stretch. So a contact is a set of corners, each with the nearest side of the other outline. A corner acts
-// only while it is inside: bodies that pass each other with room to spare do not meet.
+// a facing stretch. So a contact is a set of corners, each with the nearest side of the other outline that it can meet.
+// A corner acts only while it is inside: bodies that pass each other with room to spare do not meet.
+//
+// A corner can meet a side if its own two sides lead away from it, or into it at less than 45 degrees. So the end of a
+// facing stretch does not meet the side around the corner, past which its body already reaches.
 //
 // Outlines are in world axes relative to their own centroids.
 #pragma once
@@ -38,18 +41,62 @@ GEM_HD inline SideDistance outermost_side(const Surface& s, Vec2 y) {
   return best;
 }
 
-/// The nearest visible side of a point inside the outline; side < 0: the point is not inside.
-GEM_HD inline SideDistance nearest_side(const Surface& s, Vec2 y) {
-  SideDistance best{-1, -1e300};
-  double outermost = -1e300;
-  for (int j = 0; j < s.outline.count; ++j) {
-    const double distance = dot(s.outline.normal[j], y - s.outline.corner[j]);
-    outermost = larger(outermost, distance);
-    const bool nearer = distance > best.distance && s.shows(j);
-    best.side = nearer ? j : best.side;
-    best.distance = nearer ? distance : best.distance;
+/// Whether a corner with these flanks (to its neighbours) can meet a side with this outward normal.
+GEM_HD inline bool can_meet(const Vec2 flank[2], Vec2 normal) {
+  constexpr double steepest = 0.7;  // sine of the angle at which the flanks may lead into the side
+  return dot(normal, flank[0]) >= -steepest * length(flank[0]) && dot(normal, flank[1]) >= -steepest * length(flank[1]);
+}
+
+/// A side that a corner may cross within a time step.
+struct NearSide {
+  Vec2 normal;
+  double offset = 0.0;    // of the side along its normal, from the centroid [m]
+  double distance = 0.0;  // of the corner outside it at the start [m]
+  std::int32_t side = 0;
+  bool meets = false;  // the corner may touch it; else it only bounds the outline
+};
+
+/// The sides near a corner, outermost first.
+struct NearSides {
+  static constexpr int most = 6;
+  NearSide side[most];
+  int count = 0;
+
+  GEM_HD void add(const NearSide& one) {
+    if (count == most && side[most - 1].distance >= one.distance) return;
+    int at = count < most ? count++ : most - 1;
+    for (; at > 0 && side[at - 1].distance < one.distance; --at) side[at] = side[at - 1];
+    side[at] = one;
   }
-  return outermost < 0.0 ? best : SideDistance{};
+};
+
+/// The sides that a corner at `y` may cross or touch when it moves by up to `reach` [m].
+GEM_HD inline NearSides near_sides(const Surface& s, Vec2 y, const Vec2 flank[2], double reach) {
+  double nearest = -1e300;
+  for (int j = 0; j < s.outline.count; ++j)
+    if (s.shows(j) && can_meet(flank, s.outline.normal[j]))
+      nearest = larger(nearest, dot(s.outline.normal[j], y - s.outline.corner[j]));
+  NearSides near;
+  for (int j = 0; j < s.outline.count; ++j) {
+    const Vec2 normal = s.outline.normal[j];
+    const double distance = dot(normal, y - s.outline.corner[j]);
+    const bool meets = distance >= nearest - 2.0 * reach && s.shows(j) && can_meet(flank, normal);
+    if (meets || distance > -reach) near.add({normal, dot(normal, s.outline.corner[j]), distance, j, meets});
+  }
+  return near;
+}
+
+/// The nearest of the sides that a point may meet, as its place in `near`; side < 0: the point is not inside. `closed`:
+/// a point on the outline is inside. Of two aligned faces, so, the corners of one of both bodies are inside.
+GEM_HD inline SideDistance nearest_side(const NearSides& near, Vec2 y, bool closed) {
+  SideDistance best{-1, -1e300};
+  for (int k = 0; k < near.count; ++k) {
+    const NearSide& one = near.side[k];
+    const double distance = dot(one.normal, y) - one.offset;
+    if (distance > 0.0 || (distance == 0.0 && !closed)) return {};
+    if (one.meets && distance > best.distance) best = {k, distance};
+  }
+  return best.distance < 0.0 ? best : SideDistance{};
 }
 
 /// Where a stretch `flank` that begins at `y`, inside the outline, leaves it, as a share of its length; 1: nowhere.
@@ -71,7 +118,7 @@ GEM_HD inline double exit_of(const Outline& o, int side, Vec2 y, Vec2 flank) {
   return share;
 }
 
-/// Calls take(corner, side) for every corner of `p` that is closer than `reach` to `q` [m]. `to_p` is the vector from
+/// Calls take(corner, outermost side) for every corner of `p` that is closer than `reach` to `q` [m]. `to_p` is the vector from
 /// q's centroid to p's. `beyond`: p's corners nearer than this to q along `axis` [m] are looked at, a necessary
 /// condition; `axis` points from q to p.
 template <class Take>
@@ -81,7 +128,7 @@ GEM_HD inline void corners_near(const Outline& p, const Surface& q, Vec2 to_p, V
     const Vec2 y = to_p + p.corner[c];
     if (!(dot(axis, y) < beyond)) continue;
     const SideDistance outer = outermost_side(q, y);
-    if (outer.distance < reach) take(c, outer.side);
+    if (outer.distance < reach) take(c, outer);
   }
 }
 

@@ -60,9 +60,10 @@ struct SubPoint {
   bool of_b = false;          // p is b of the pair, else a
   Vec2 corner;                // from p's centroid at the start [m]
   Vec2 between;               // from q's centroid to p's at the start [m]
-  Vec2 normal;                // of a side of q: outside it, the corner does not overlap
-  double offset = 0.0;        // of that side along its normal, from q's centroid [m]
+  NearSides near;             // sides of q
   bool overlaps = false;
+  bool begins = false;        // it did not overlap in the last substep
+  bool remembers = false;     // its memory is of an earlier time step, or of the start of the run
   CornerLaw law;
   CornerMemory memory;
   double full_stiffness = 0.0;  // of the ice; the law may have less [N/m]
@@ -125,21 +126,22 @@ GEM_HD inline void leave(SubPoint& s, double h) {
 }
 
 /// Depth, speeds and the force of spring and dashpot alone, at the present places. Returns whether the corner overlaps.
-GEM_HD inline bool touch(SubPoint& s, const SubMotion& p, const SubMotion& q) {
+GEM_HD inline bool touch(SubPoint& s, const SubMotion& p, const SubMotion& q, double h) {
   const Vec2 arm_p = turned_with(p, s.corner);
   const Vec2 arm_q = s.between + p.shift - q.shift + arm_p;
   const Vec2 y = in_axes_of(q, arm_q);
-  if (!(dot(s.normal, y) < s.offset)) return false;
-  const SideDistance nearest = nearest_side(s.surface, y);
+  const SideDistance nearest = nearest_side(s.near, y, s.of_b);
   if (nearest.side < 0) return false;
   s.depth = -nearest.distance;
-  s.side = nearest.side;
-  s.axis = turned_with(q, s.surface.outline.normal[nearest.side]);
+  s.side = s.near.side[nearest.side].side;
+  s.axis = turned_with(q, s.near.side[nearest.side].normal);
   s.arm_p = arm_p;
   s.arm_q = arm_q;
   const Vec2 u = p.velocity + cross(p.spin, arm_p) - q.velocity - cross(q.spin, arm_q);
   s.speed_n = dot(u, s.axis);
   s.speed_t = dot(u, turned_left(s.axis));
+  // a corner that comes in beside its side, or was not seen coming, starts with what it closes in this substep
+  if (!s.overlaps && !s.remembers) s.memory.crushed = larger(0.0, s.depth - larger(0.0, -h * s.speed_n));
   s.trial = corner_pressure(s.law, s.depth - s.memory.crushed, s.speed_n);
   return true;
 }
@@ -216,10 +218,17 @@ GEM_HD inline void press(SubPoint& s, const SubMotion& q, double force, bool cru
 GEM_HD inline void hand_over(SubPoint* points, int count, const CornerMemory& left) {
   for (int k = 0; k < count; ++k) {
     SubPoint& s = points[k];
-    if (!s.overlaps || s.memory.normal > 0.0 || s.memory.crushed > 0.0) continue;
-    const double elastic = left.elastic * smaller(1.0, left.stiffness / s.law.stiffness);
-    s.memory.crushed = larger(0.0, s.depth - elastic);
-    s.memory.stretch = left.stretch;
+    if (!s.overlaps || !s.begins) continue;
+    const double share = smaller(1.0, left.stiffness / s.law.stiffness);
+    CornerMemory& m = s.memory;
+    m = left;
+    m.stiffness = s.law.stiffness;
+    m.elastic = smaller(s.depth, share * left.elastic);
+    m.stretch = share * left.stretch;
+    m.crushed = s.depth - m.elastic;
+    const double stored = 0.5 * m.stiffness * (m.elastic * m.elastic + m.stretch * m.stretch);
+    s.work.stored += stored;
+    s.work.damped -= stored;
     return;
   }
 }
@@ -253,7 +262,9 @@ GEM_HD inline bool press_pair(SubPair& pair, SubPoint* points, const SubMotion& 
   for (int k = 0; k < pair.count; ++k) {
     SubPoint& s = points[k];
     const bool overlapped = s.overlaps;
-    s.overlaps = s.of_b ? touch(s, b, a) : touch(s, a, b);
+    s.begins = !overlapped;
+    s.overlaps = s.of_b ? touch(s, b, a, h) : touch(s, a, b, h);
+    s.remembers = s.remembers && s.overlaps;
     inside += s.overlaps;
     if (!s.overlaps && overlapped) {
       if (s.memory.normal > left.normal) left = s.memory, hands_over = true;

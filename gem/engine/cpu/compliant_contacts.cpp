@@ -18,12 +18,13 @@ Vec2 start_of(const FieldState& f, std::int32_t body) {
   return f.constants.is_platform(body) ? f.platform_position : f.bodies.position[body];
 }
 
-/// How far two bodies may close in a time step, from their present motion and what drives them [m].
+/// How far two bodies may close in a time step, from their present motion and what drives them [m]. It tells which
+/// corners share the mass of a body, so it hangs on nothing distant; others are seen too when a neighbour is hit.
 double reach_of(const FieldState& f, std::int32_t a, std::int32_t b) {
   const Bodies& s = f.bodies;
   const double closing = length(s.velocity[b] - s.velocity[a]) + magnitude(s.spin[a]) * s.radius[a] +
                          magnitude(s.spin[b]) * s.radius[b];
-  return smaller(f.constants.dt * (closing + f.constants.drive_speed), f.constants.contact_margin);
+  return f.constants.dt * (closing + f.constants.drive_speed);
 }
 
 }  // namespace
@@ -57,22 +58,22 @@ void CompliantContacts::find(const FieldState& f, Contacts contacts, const Threa
   const auto n = static_cast<std::int64_t>(contacts.size());
   for (std::int64_t c = team.begin_of(rank, n); c < team.begin_of(rank + 1, n); ++c) {
     const Contact& contact = *contacts[c];
-    const auto take = [&](bool of_b, std::int32_t corner, std::int32_t side) {
+    const double near = reach_of(f, contact.a, contact.b), reach = f.constants.contact_margin;
+    const auto take = [&](bool of_b, std::int32_t corner, SideDistance outer) {
       const std::int32_t vertex = f.bodies.vertex_begin[body_p(contact, of_b)] + corner;
       if (!no_corner_.empty() && f.constants.is_platform(body_p(contact, of_b)) && no_corner_[vertex]) return;
-      found.push_back({static_cast<std::int32_t>(c), corner, side, of_b});
+      found.push_back({static_cast<std::int32_t>(c), corner, outer.side, of_b, outer.distance < near});
     };
     const Outline a = f.outline(contact.a), b = f.outline(contact.b);
     const Vec2 offset = f.bodies.position[contact.b] - f.bodies.position[contact.a], axis = contact.normal;
-    const double reach = reach_of(f, contact.a, contact.b);
     double top = -1e300, bottom = 1e300;  // of a and of b along the axis
     for (int k = 0; k < a.count; ++k) top = larger(top, dot(axis, a.corner[k]));
     for (int k = 0; k < b.count; ++k) bottom = smaller(bottom, dot(axis, offset + b.corner[k]));
     if (!(bottom - top < reach)) continue;
     corners_near(b, surface_of(f, contact.a), offset, axis, top + reach, reach,
-                 [&](std::int32_t corner, std::int32_t side) { take(true, corner, side); });
+                 [&](std::int32_t corner, SideDistance outer) { take(true, corner, outer); });
     corners_near(a, surface_of(f, contact.b), -offset, -axis, dot(axis, offset) - bottom + reach, reach,
-                 [&](std::int32_t corner, std::int32_t side) { take(false, corner, side); });
+                 [&](std::int32_t corner, SideDistance outer) { take(false, corner, outer); });
   }
 }
 
@@ -124,8 +125,10 @@ void CompliantContacts::lay_out(const FieldState& f, Contacts contacts, int thre
     const Contact& contact = *contacts[pair.contact];
     pair.a = enter(f, f.constants.owner_of(contact.a));
     pair.b = enter(f, contact.b);
-    corners_[pair.a] += pair.count;
-    corners_[pair.b] += pair.count;
+    for (std::int32_t k = pair.first; k < pair.first + pair.count; ++k) {
+      corners_[pair.a] += found_[k].counts;
+      corners_[pair.b] += found_[k].counts;
+    }
   }
   stray_.assign(body_.size(), 0.0);
   touched_.assign(body_.size(), 0);
@@ -138,10 +141,11 @@ void CompliantContacts::keep(SubPoint& point, std::uint64_t key, bool fresh) {
   const auto at = std::lower_bound(key_.begin(), key_.end(), key);
   if (at != key_.end() && *at == key) {
     point.memory = memory_[at - key_.begin()];
-    point.overlaps = true;
+    point.overlaps = point.remembers = true;
     if (point.memory.normal > 0.0) point.law.stiffness = smaller(point.law.stiffness, point.memory.stiffness);
   } else if (fresh) {
     point.memory.crushed = point.depth;
+    point.remembers = true;
   }
 }
 
@@ -187,14 +191,15 @@ void CompliantContacts::open(const FieldState& f, Contacts contacts, SubPair& pa
     s.flank[0] = own.corner[found.corner > 0 ? found.corner - 1 : own.count - 1] - s.corner;
     s.flank[1] = own.corner[found.corner + 1 < own.count ? found.corner + 1 : 0] - s.corner;
     s.between = start_of(f, p) - start_of(f, q);
-    s.normal = s.surface.outline.normal[found.side];
-    s.offset = dot(s.normal, s.surface.outline.corner[found.side]);
     const Vec2 arm_q = s.between + s.corner;
-    s.depth = s.offset - dot(s.normal, arm_q);
+    s.near = near_sides(s.surface, arm_q, s.flank, f.constants.contact_margin);
+    const SideDistance nearest = nearest_side(s.near, arm_q, s.of_b);
+    s.depth = -nearest.distance;
+    const Vec2 normal = s.near.side[nearest.side < 0 ? 0 : nearest.side].normal;
     const SubBody &of_p = body_[entry_p], &of_q = body_[entry_q];
-    const CollisionMass mass_p = shared_mass({of_p.inverse_mass, of_p.inverse_inertia}, corners_[entry_p]);
-    const CollisionMass mass_q = shared_mass({of_q.inverse_mass, of_q.inverse_inertia}, corners_[entry_q]);
-    const ContactCompliance compliance = contact_compliance(mass_p, s.corner, mass_q, arm_q, s.normal);
+    const CollisionMass mass_p = shared_mass({of_p.inverse_mass, of_p.inverse_inertia}, std::max(1, corners_[entry_p]));
+    const CollisionMass mass_q = shared_mass({of_q.inverse_mass, of_q.inverse_inertia}, std::max(1, corners_[entry_q]));
+    const ContactCompliance compliance = contact_compliance(mass_p, s.corner, mass_q, arm_q, normal);
     s.full_stiffness = stiffness;
     s.law = stable_law({stiffness, corner_damping(e.contact, stiffness, inverse_mass),
                         friction_of_pair(e, f.constants.is_platform(contact.a))},
@@ -202,7 +207,7 @@ void CompliantContacts::open(const FieldState& f, Contacts contacts, SubPair& pa
     const std::int32_t owner = f.constants.owner_of(contact.a);
     const std::int32_t vertex = b.vertex_begin[p] - b.vertex_begin[found.of_b ? contact.b : owner] + found.corner;
     point_key_[k] = contact_key(owner, contact.b, 2 * vertex + (found.of_b ? 1 : 0));
-    keep(s, point_key_[k], at_start_ && s.depth > 0.0);
+    keep(s, point_key_[k], at_start_ && nearest.side >= 0);
   }
 }
 

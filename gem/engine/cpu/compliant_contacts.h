@@ -41,6 +41,7 @@ class CompliantContacts {
   struct Found {
     std::int32_t contact = 0, corner = 0, side = 0;
     bool of_b = false;
+    bool counts = false;  // for the stability limit: it is within reach of the present motion
   };
   struct alignas(64) Part {  // one per thread
     std::vector<Found> found;

@@ -94,6 +94,7 @@ void CpuEngine::solo_events(ThreadTeam& team, int rank) {
     quality_ = {};
     if (is(ContactSolver::compliant)) {
       f.platform_position = f.bodies.position[0];
+      tow_platform(f);
       return;
     }
     platform_first_half(f);

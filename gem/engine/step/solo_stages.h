@@ -171,9 +171,13 @@ inline PushedPlatform pushed_platform(FieldState& f) {
       f.mooring_force};
 }
 
-/// All loads on the platform but the contacts, half a step of `e` long.
+/// Leads a platform in transit, once a time step.
+inline void tow_platform(FieldState& f) {
+  tow_platform(f.constants.events, f.drive, pushed_platform(f), f.bodies.inverse_inertia[0] > 0.0);
+}
+
+/// All loads on the platform but tow and contacts, half a step of `e` long.
 inline void platform_loads_before(FieldState& f, const Events& e) {
-  tow_platform(e, f.drive, pushed_platform(f), f.bodies.inverse_inertia[0] > 0.0);
   thrust_platform(e, f.drive, pushed_platform(f));
   hold_station(e, f.drive, platform_on_dp(f), true);
   platform_events_before(e, f.drive, platform_motion(f, f.bodies.rotation[0]));
@@ -199,6 +203,7 @@ inline void platform_loads_last(FieldState& f, const Events& e) {
 /// Moves the platform up to the time of the pair events.
 inline void platform_first_half(FieldState& f) {
   f.platform_position = f.bodies.position[0];
+  tow_platform(f);
   platform_loads_before(f, f.constants.events);
   f.before_contacts = {f.bodies.velocity[0], f.bodies.spin[0]};
   move_pieces(f, false);

@@ -20,7 +20,8 @@ class CompliantRunTest : public CommandTest {
         << "[run]\nname = \"corner\"\nduration_s = 4.0\n[current]\nvelocity_m_per_s = [0.0, 0.0]\n[water]\n"
            "drag_law = \"none\"\n[floes]\nsource = \"listed\"\n[boundary]\npresent = false\n[platform]\n"
            "outline = \"listed\"\noutline_m = [[-50.0, -80.0], [50.0, -80.0], [50.0, 80.0], [-50.0, 80.0]]\n"
-           "fixed = true\n[numerics]\ntime_step_s = 0.05\n[output]\nfloes_interval_s = 0.5\n[[floe]]\n"
+           "fixed = true\n[numerics]\ntime_step_s = 0.05\n[output]\nfloes_interval_s = 0.5\nplatform_interval_s = "
+           "0.05\n[[floe]]\n"
            "outline_m = [[-7.0710678, 0], [0, -7.0710678], [7.0710678,0], [0, 7.0710678]]\n"
            "position_m = [-57.2, 0.0]\nvelocity_m_per_s = [0.5, 0.0]\nthickness_m = 1.0\n";
   }

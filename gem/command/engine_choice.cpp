@@ -16,12 +16,12 @@ bool has_solver_on_gpu(const SceneDef& scene) { return scene.contact.solver != C
 std::unique_ptr<Engine> engine_for(const SceneDef& scene, const Bodies& field, const EngineOptions& options) {
   if (options.name != "auto") return make_engine(scene, field, options);
   EngineOptions chosen = options;
-  if (has_solver_on_gpu(scene)) try {
-      chosen.name = "cuda";
-      return make_engine(scene, field, chosen);
-    } catch (const Error& error) {
-      if (error.code() != ExitCode::device && error.code() != ExitCode::resource_limit) throw;
-    }
+  try {
+    chosen.name = "cuda";
+    if (has_solver_on_gpu(scene)) return make_engine(scene, field, chosen);
+  } catch (const Error& error) {
+    if (error.code() != ExitCode::device && error.code() != ExitCode::resource_limit) throw;
+  }
   chosen.name = "cpu";
   return make_engine(scene, field, chosen);
 }

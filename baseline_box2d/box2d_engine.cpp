@@ -43,6 +43,7 @@ void check_time_step(const SceneDef& scene) {
 
 Box2dEngine::Box2dEngine(const SceneDef& scene, Bodies bodies, const Box2dOptions& options)
     : options_(options), touches_(field_, options_) {
+  check_solver(scene.contact.solver, {ContactSolver::independent, ContactSolver::coupled}, "box2d");
   check_one_piece(bodies, "box2d");
   check_time_step(scene);
   mooring_ = mooring_tables(scene.mooring.law, scene.mooring_design);

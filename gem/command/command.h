@@ -91,6 +91,9 @@ void print_needed(const std::string& text);
 /// below 1.
 int choose_threads(const std::string& asked, std::string& message);
 
+/// Whether the engine cuda has the contact solver of the scene.
+bool has_solver_on_gpu(const SceneDef& scene);
+
 /// Makes the chosen engine. `auto` is cuda if a GPU can take the scene, else cpu.
 std::unique_ptr<Engine> engine_for(const SceneDef& scene, const Bodies& field, const EngineOptions& options);
 

@@ -11,12 +11,14 @@ std::vector<std::string> engine_choices() {
   return offered;
 }
 
+bool has_solver_on_gpu(const SceneDef& scene) { return scene.contact.solver != ContactSolver::compliant; }
+
 std::unique_ptr<Engine> engine_for(const SceneDef& scene, const Bodies& field, const EngineOptions& options) {
   if (options.name != "auto") return make_engine(scene, field, options);
   EngineOptions chosen = options;
   try {
     chosen.name = "cuda";
-    return make_engine(scene, field, chosen);
+    if (has_solver_on_gpu(scene)) return make_engine(scene, field, chosen);
   } catch (const Error& error) {
     if (error.code() != ExitCode::device && error.code() != ExitCode::resource_limit) throw;
   }

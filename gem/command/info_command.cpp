@@ -11,6 +11,7 @@
 #include "gem/record/run_file/column_pieces.h"
 #include "gem/record/run_file/run_file.h"
 #include "gem/record/run_file/stored_case.h"
+#include "gem/report/run/contact_energy_record.h"
 #include "gem/report/run/line_record.h"
 #include "gem/run/checkpoint/checkpoint_path.h"
 
@@ -58,6 +59,10 @@ nlohmann::ordered_json describe(const RunFile& file) {
   object["overlap_99_9_m"] = overlaps_of(file, "stats/overlap_count").quantile(0.999);
   object["overlap_largest_share"] = largest_value(file, "stats/maximum_overlap_share");
   object["overlap_99_9_share"] = overlaps_of(file, "stats/overlap_share_count").quantile(0.999);
+  if (const auto energy = contact_energy_of(file)) {
+    object["contact_energy"] = contact_energy_text(*energy);
+    object["softened"] = softened_text(*energy);
+  }
   object["verdict"] = grade_name(verdict_of(file).grade);
   object["end_s"] = std::max(last_value(file, "floes/time"), last_value(file, "platform/time"));
   return object;

@@ -24,4 +24,11 @@ constexpr std::int32_t feature_of(std::uint64_t key) {
   return static_cast<std::int32_t>(key) & ((1 << feature_bits) - 1);
 }
 
+/// The key of a corner of compliant contacts; `of_second`: it is a corner of b, in a.
+constexpr std::uint64_t corner_key(std::int32_t a, std::int32_t b, std::int32_t corner, bool of_second) {
+  return contact_key(a, b, 2 * corner + (of_second ? 1 : 0));
+}
+constexpr std::int32_t corner_of(std::uint64_t key) { return feature_of(key) / 2; }
+constexpr bool is_of_second(std::uint64_t key) { return feature_of(key) % 2 != 0; }
+
 }  // namespace gem

@@ -7,6 +7,7 @@
 #include <initializer_list>
 #include <limits>
 #include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -100,8 +101,10 @@ struct StepQuality {
   std::int32_t contacts = 0;    // points that overlap at the start of the step or carry an impulse
   std::int32_t iterations = 0;  // of the coupled solver
   double residual = 0.0;  // largest velocity correction still due at a contact point after the last iteration [m/s]
-  double maximum_overlap = 0.0;  // deepest overlap depth at the start of the time step [m]
-  double maximum_share = 0.0;    // largest overlap depth over the size (root of the area) of the smaller body [-]
+  double maximum_overlap =
+      0.0;                     // deepest overlap depth at the start of the time step; compliant: beyond crushed ice [m]
+  double maximum_depth = 0.0;  // compliant: deepest overlap, with crushed ice [m]
+  double maximum_share = 0.0;  // largest overlap depth over the size (root of the area) of the smaller body [-]
   // After the events, see contact_quality.h. NaN where not measured: `independent` time steps of the cuda engine.
   double complementarity = 0.0;  // largest violation of the normal contact law, as a speed [m/s]
   double cone_excess = 0.0;      // largest friction impulse beyond Coulomb's bound [N s]
@@ -113,6 +116,7 @@ struct StepQuality {
     iterations = std::max(iterations, other.iterations);
     residual = std::max(residual, other.residual);
     maximum_overlap = std::max(maximum_overlap, other.maximum_overlap);
+    maximum_depth = std::max(maximum_depth, other.maximum_depth);
     maximum_share = std::max(maximum_share, other.maximum_share);
     complementarity = worse(complementarity, other.complementarity);
     cone_excess = worse(cone_excess, other.cone_excess);
@@ -157,12 +161,18 @@ struct EngineState {
   std::vector<Quantity> books;  // by channel, then by body, as FieldState::books; empty: only their sums are known
   std::vector<std::uint64_t> impulse_key;  // points of `coupled`: contact_key(), ascending by pair
   std::vector<PointMemory> impulse_value;
-  LineSet broken = 0;   // lines of the mooring
-  DpState dp;           // dynamic positioning
+  LineSet broken = 0;                          // lines of the mooring
+  DpState dp;                                  // dynamic positioning
   std::vector<std::uint64_t> corner_key = {};  // compliant: corners that overlap: contact_key(), ascending
   std::vector<CornerMemory> corner_value = {};
   std::int64_t substeps = 0;  // compliant: of a time step
-  LoadSums loads = {};  // of floes that may split
+  LoadSums loads = {};        // of floes that may split
+};
+
+/// What corners of compliant contacts remember, as EngineState::corner_key and corner_value. Empty without them.
+struct KeptCorners {
+  std::span<const std::uint64_t> key;
+  std::span<const CornerMemory> value;
 };
 
 class Engine {
@@ -188,6 +198,8 @@ class Engine {
   virtual LineSet broken_lines() const { return 0; }
   /// Dynamic positioning after the last time step; null without it.
   virtual const DpState* dp_state() const { return nullptr; }
+  /// What the corners of compliant contacts remember after the last time step.
+  virtual KeptCorners kept_corners() const { return {}; }
   /// Whether contact_forces() is known.
   virtual bool has_contact_forces() const { return false; }
   /// The contacts that carried an impulse in the last time step, ascending in (a, b), without retired bodies. Empty
@@ -200,9 +212,10 @@ class Engine {
   std::uint64_t state_hash();
 };
 
-/// Hash of positions, rotations, velocities, active flags, the step number, and broken lines and the state of dynamic
-/// positioning, if there are any: the same bits give the same hash.
-std::uint64_t hash_of(std::int64_t step, const Bodies& bodies, LineSet broken, const DpState* dp = nullptr);
+/// Hash of positions, rotations, velocities, active flags, the step number, and broken lines, the state of dynamic
+/// positioning and what corners remember, if there are any: the same bits give the same hash.
+std::uint64_t hash_of(std::int64_t step, const Bodies& bodies, LineSet broken, const DpState* dp = nullptr,
+                      const KeptCorners& corners = {});
 
 struct EngineOptions {
   std::string name = "cpu";                   // reference | cpu | cuda

@@ -104,7 +104,7 @@ bool is_baseline(const std::string& engine) {
   return false;
 }
 
-std::uint64_t Engine::state_hash() { return hash_of(step(), bodies(), broken_lines(), dp_state()); }
+std::uint64_t Engine::state_hash() { return hash_of(step(), bodies(), broken_lines(), dp_state(), kept_corners()); }
 
 namespace {
 
@@ -117,9 +117,18 @@ void add_dp(Hash& hash, const DpState& dp) {
   for (const Vec2& thrust : dp.thrust) hash.add(thrust.x), hash.add(thrust.y);
 }
 
+void add_corners(Hash& hash, const KeptCorners& corners) {
+  for (std::size_t k = 0; k < corners.key.size(); ++k) {
+    hash.add(corners.key[k]);
+    const CornerMemory& m = corners.value[k];
+    for (const double value : {m.crushed, m.stretch, m.stiffness, m.elastic, m.normal, m.side}) hash.add(value);
+  }
+}
+
 }  // namespace
 
-std::uint64_t hash_of(std::int64_t step, const Bodies& b, LineSet broken, const DpState* dp) {
+std::uint64_t hash_of(std::int64_t step, const Bodies& b, LineSet broken, const DpState* dp,
+                      const KeptCorners& corners) {
   Hash hash;
   hash.add(static_cast<std::uint64_t>(step));
   for (std::size_t i = 0; i < b.count(); ++i) {
@@ -130,6 +139,7 @@ std::uint64_t hash_of(std::int64_t step, const Bodies& b, LineSet broken, const 
   }
   if (broken != 0) hash.add(broken);
   if (dp) add_dp(hash, *dp);
+  add_corners(hash, corners);
   return hash.value();
 }
 

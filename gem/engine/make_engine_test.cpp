@@ -23,6 +23,29 @@ TEST(MakeEngine, RefusesASolverThatTheEngineDoesNotHave) {
   }
 }
 
+TEST(MakeEngine, OnlyTheCpuHasCompliantContacts) {
+  SceneDef scene;
+  scene.contact.solver = ContactSolver::compliant;
+  const Bodies field = make_field(scene);
+  EXPECT_TRUE(make_engine(scene, field, {.name = "cpu", .threads = 1}));
+  EXPECT_THROW(make_engine(scene, field, {.name = "reference", .threads = 1}), Error);
+}
+
+TEST(MakeEngine, TheHashCountsWhatCornersRemember) {
+  const Bodies field = make_field(SceneDef{});
+  const std::vector<std::uint64_t> key = {1};
+  std::vector<CornerMemory> value(1);
+  const std::uint64_t without = hash_of(3, field, 0), fresh = hash_of(3, field, 0, nullptr, {key, value});
+  EXPECT_EQ(hash_of(3, field, 0, nullptr, {}), without);
+  EXPECT_NE(fresh, without);
+  for (double CornerMemory::*member : {&CornerMemory::crushed, &CornerMemory::stretch, &CornerMemory::stiffness,
+                                       &CornerMemory::elastic, &CornerMemory::normal, &CornerMemory::side}) {
+    value = {{}};
+    value[0].*member = 1.0;
+    EXPECT_NE(hash_of(3, field, 0, nullptr, {key, value}), fresh);
+  }
+}
+
 TEST(MakeEngine, RefusesAnUnknownName) {
   const SceneDef scene;
   EXPECT_THROW(make_engine(scene, make_field(scene), {.name = "none", .threads = 1}), Error);

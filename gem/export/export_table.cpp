@@ -52,13 +52,17 @@ std::vector<Column> columns_of(const std::vector<RowColumn<Row>>& rows) {
   return columns;
 }
 
+std::vector<Column> joined(std::vector<Column> columns, const std::vector<Column>& more) {
+  columns.insert(columns.end(), more.begin(), more.end());
+  return columns;
+}
+
 std::vector<Column> columns_of(const std::string& table) {
   if (table == "platform") return columns_of(platform_columns());
-  if (table == "events") return columns_of(event_columns());
+  if (table == "events") return joined(columns_of(event_columns()), columns_of(compliant_event_columns()));
   if (table == "contacts") return columns_of(contact_columns());
-  std::vector<Column> columns = columns_of(stats_columns());
-  for (const Column& column : columns_of(crack_columns())) columns.push_back(column);
-  return columns;
+  return joined(joined(columns_of(stats_columns()), columns_of(crack_columns())),
+                columns_of(compliant_stats_columns()));
 }
 
 /// Body numbers become those of floes, as on the page of gem view.

@@ -55,7 +55,7 @@ class FakeEngine : public Engine {
       now.ice_impulse = {double(step_), 0.0};
       now.contacts = 2;
       log.platform.push_back(now);
-      log.quality.push_back({7, 3, 1e-4, 1e-3, 2e-4, 3e-6, 4e-9, 5e-2});
+      log.quality.push_back({7, 3, 1e-4, 1e-3, 2e-2, 2e-4, 3e-6, 4e-9, 5e-2});
       log.overlap.add(1e-3);
       if (log.wants_events && step_ % 10 == 0) {
         ContactEvent event;

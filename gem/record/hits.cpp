@@ -36,6 +36,7 @@ void Hits::take(const ContactEvent& row, Released& released) {
   hit.impulse_normal += row.impulse_normal;
   hit.impulse_tangential += row.impulse_tangential;
   hit.depth = std::max(hit.depth, row.depth);
+  hit.largest_force = std::max(hit.largest_force, row.largest_force);
   add_to_window(open, step, row.impulse_normal);
   open.end = step + 1;
   hit.duration = static_cast<double>(open.end - open.begin) * time_step_;

@@ -24,6 +24,7 @@ struct Hit {
   double impulse_normal = 0.0;      // until release [N s]
   double impulse_tangential = 0.0;  // until release, along the normal turned left [N s]
   double depth = 0.0;               // largest overlap depth until release [m]
+  double largest_force = 0.0;       // compliant: largest normal force until release [N]
   double duration = 0.0;            // from the first to the end of the last time step that presses [s]
   double window_impulse = 0.0;      // largest normal impulse in a force window [N s]
   double window_end = 0.0;          // end of that window [s]

@@ -21,6 +21,7 @@ ContactEvent row(std::int64_t step, std::int32_t body, double closing_speed = 0.
   event.impulse_normal = 2.0;
   event.impulse_tangential = -1.0;
   event.depth = 1e-3 * static_cast<double>(step);
+  event.largest_force = step == 6 ? 7e3 : 5e3;
   return event;
 }
 
@@ -40,6 +41,7 @@ TEST(Hits, OneHitLastsUntilRelease) {
   EXPECT_EQ(hits[0].impulse_normal, 6.0);
   EXPECT_EQ(hits[0].impulse_tangential, -3.0);
   EXPECT_EQ(hits[0].depth, 20e-3);
+  EXPECT_EQ(hits[0].largest_force, 7e3);
   EXPECT_DOUBLE_EQ(hits[0].duration, 1.6);
 }
 

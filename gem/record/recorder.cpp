@@ -206,6 +206,7 @@ void Recorder::keep_stats(Engine& engine, double wall_time) {
   row.iterations = now_.worst.iterations;
   row.closing_residual = now_.worst.residual;
   row.maximum_overlap = now_.worst.maximum_overlap;
+  row.maximum_depth = now_.worst.maximum_depth;
   row.maximum_share = now_.worst.maximum_share;
   row.complementarity = now_.worst.complementarity;
   row.cone_excess = now_.worst.cone_excess;

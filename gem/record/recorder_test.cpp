@@ -90,6 +90,7 @@ TEST(Recorder, FrameHoldsFloesAndWorstQuality) {
   const StatsRow row = recorder.add_frame(engine, 0.5);
   EXPECT_EQ(row.contacts, 7.0);
   EXPECT_EQ(row.maximum_overlap, 1e-3);
+  EXPECT_EQ(row.maximum_depth, 2e-2);
   EXPECT_EQ(row.maximum_share, 2e-4);
   EXPECT_EQ(row.complementarity, 3e-6);
   EXPECT_EQ(row.cone_excess, 4e-9);

@@ -107,6 +107,13 @@ const std::vector<RowColumn<Hit>>& event_columns() {
   return columns;
 }
 
+const std::vector<RowColumn<Hit>>& compliant_event_columns() {
+  static const std::vector<RowColumn<Hit>> columns = {
+      {{"events", "largest_force", "event", Stored::f4, "N", "largest normal force in a substep until release", ""},
+       [](const Hit& e) { return e.largest_force; }}};
+  return columns;
+}
+
 const std::vector<SideColumn>& side_columns() {
   static const std::vector<SideColumn> columns = {
       {{"platform", "side_impulse", "time platform_side", Stored::f4, "N s",
@@ -321,6 +328,27 @@ const std::vector<RowColumn<StatsRow>>& crack_columns() {
   return columns;
 }
 
+const std::vector<RowColumn<StatsRow>>& compliant_stats_columns() {
+  const auto row = [](const char* name, const char* units, const char* long_name, double ContactEnergy::*value) {
+    return stats_column(name, units, long_name, [value](const StatsRow& s) { return s.ledger.contact.*value; });
+  };
+  static const std::vector<StatsColumn> columns = {
+      row("energy_contact_stored", "J", "energy in the springs of all contacts now", &ContactEnergy::stored),
+      row("energy_contact_crushed", "J", "energy that crushed ice since t = 0", &ContactEnergy::crushed),
+      row("energy_contact_damped", "J", "energy that contacts below crushing damped since t = 0",
+          &ContactEnergy::damped),
+      row("energy_contact_friction", "J", "energy that friction took since t = 0", &ContactEnergy::friction),
+      stats_column("energy_contact_left", "J",
+                   "energy of the contacts since t = 0 that the four before do not explain; > 0: nobody supplied it",
+                   [](const StatsRow& s) { return s.ledger.contact.left(); }),
+      stats_column("maximum_depth", "m", "deepest overlap since the last row, with crushed ice",
+                   [](const StatsRow& s) { return s.maximum_depth; }),
+      row("contact_load", "N s", "normal impulse through all contacts since t = 0", &ContactEnergy::load),
+      row("contact_softened", "N s", "part of it through corners that the stability limit softens",
+          &ContactEnergy::softened)};
+  return columns;
+}
+
 const std::vector<CountColumn>& count_columns() {
   const auto counts = [](const char* name, const std::string& what, OverlapCount StatsRow::*values) {
     return CountColumn{
@@ -348,6 +376,10 @@ std::vector<Column> schema(const SceneDef& scene) {
   if (scene.output.contact_forces)
     for (const auto& entry : contact_columns()) all.push_back(entry.column);
   for (const auto& entry : count_columns()) all.push_back(entry.column);
+  if (is_compliant(scene)) {
+    for (const auto& entry : compliant_event_columns()) all.push_back(entry.column);
+    for (const auto& entry : compliant_stats_columns()) all.push_back(entry.column);
+  }
   if (!records_splits(scene)) return all;
   for (const auto& entry : crack_columns()) all.push_back(entry.column);
   for (const auto& entry : split_columns()) all.push_back(entry.column);

@@ -60,6 +60,7 @@ struct StatsRow {
   double iterations = 0.0;
   double closing_residual = 0.0;
   double maximum_overlap = 0.0;
+  double maximum_depth = 0.0;
   double maximum_share = 0.0;
   double complementarity = 0.0;
   double cone_excess = 0.0;
@@ -129,12 +130,16 @@ std::vector<PartColumn> thruster_columns(const SceneDef& scene);
 /// Both.
 std::vector<PartColumn> part_columns(const SceneDef& scene);
 const std::vector<RowColumn<Hit>>& event_columns();
+/// Of compliant contacts alone.
+const std::vector<RowColumn<Hit>>& compliant_event_columns();
 const std::vector<RowColumn<ContactRow>>& contact_columns();
 /// Of floes that split.
 const std::vector<RowColumn<SplitEvent>>& split_columns();
 const std::vector<RowColumn<StatsRow>>& stats_columns();
 /// The books' entry of runs whose floes may split.
 const std::vector<RowColumn<StatsRow>>& crack_columns();
+/// The books' entries of compliant contacts.
+const std::vector<RowColumn<StatsRow>>& compliant_stats_columns();
 const std::vector<CountColumn>& count_columns();
 const std::vector<FloeColumn>& floe_columns();
 std::vector<ShapeColumn> shape_columns(const SceneDef& scene);
@@ -144,6 +149,9 @@ std::vector<Column> schema(const SceneDef& scene);
 
 /// Whether floes may split in this scene.
 inline bool records_splits(const SceneDef& scene) { return scene.breakup.maximum_pieces > 0; }
+
+/// Whether the contacts of this scene spring and crush in substeps.
+inline bool is_compliant(const SceneDef& scene) { return scene.contact.solver == ContactSolver::compliant; }
 
 /// Whether the platform of this scene is given as pieces.
 inline bool has_pieces(const SceneDef& scene) {

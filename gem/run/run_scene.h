@@ -59,6 +59,7 @@ struct RunTotals {
   StepQuality worst;           // of all time steps
   std::int64_t at_limit = 0;   // coupled time steps that ended at the iteration limit
   OverlapCount overlap;        // of all time steps [m]
+  ContactEnergy contact;       // compliant: at the last floe frame
   OverlapCount overlap_share;  // depth over the size (root of the area) of the smaller body
 };
 
@@ -71,6 +72,7 @@ struct RunSummary : RunTotals {
   double time = 0.0;      // simulated [s]
   double sim_rate = 0.0;  // simulated over wall time
   std::int64_t steps = 0;
+  bool compliant = false;         // contacts spring and crush in substeps
   std::int64_t loaded_steps = 0;  // with an ice force on the platform
   std::int64_t events = 0;
   std::vector<double> line_break_times;  // of each mooring line [s]; 0: it holds

@@ -172,6 +172,7 @@ void RunSteps::frame() {
   watch_.look_at(engine_.bodies(), row);
   frame_step_ = engine_.step();
   ++summary_.frames;
+  summary_.contact = row.ledger.contact;
   LedgerResidual& worst = summary_.residual;
   worst.momentum = std::max(worst.momentum, row.residual.momentum);
   worst.angular_momentum = std::max(worst.angular_momentum, row.residual.angular_momentum);
@@ -208,6 +209,7 @@ RunSummary RunSteps::finish(int stop_signal) {
                     : engine_.step() < case_steps_    ? until_status
                                                       : "complete";
   summary_.state_hash = engine_.state_hash();
+  summary_.compliant = is_compliant(scene_);
   summary_.asked_residual = watch_.asked_residual();
   summary_.verdict = judge_run(watch_.measures());
   recorder_.end_hits();

@@ -2,6 +2,7 @@
 #include "gem/run/run_watch.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "gem/scene/scene_bounds.h"
 #include "gem/scene/scene_drive.h"
@@ -35,6 +36,7 @@ RunWatch::RunWatch(const SceneDef& scene, Engine& engine)
   const IceDef& ice = scene.ice;
   const double other_side =
       scene.platform.present ? std::min(ice.friction_ice, ice.friction_structure) : ice.friction_ice;
+  now_.measures.compliant = is_compliant(scene);
   now_.measures.squeeze_friction = 0.5 * (ice.friction_ice + other_side);
 }
 
@@ -59,8 +61,16 @@ void RunWatch::look_at(const Bodies& bodies, const StatsRow& books) {
   for (std::size_t i = first_floe(bodies); i < bodies.count(); ++i)
     if (bodies.active[i] != 0) now_.measures.floe_speed.raise(length(bodies.velocity[i]), books.time);
   now_.measures.energy_largest = std::max(now_.measures.energy_largest, books.kinetic_energy);
+  if (now_.measures.compliant) return look_at_contacts(books.ledger.contact);
   now_.measures.energy_created = now_.energy_created;
   now_.measures.energy_lost = now_.energy_created - contact_energy(books.ledger);
+}
+
+void RunWatch::look_at_contacts(const ContactEnergy& contact) {
+  RunMeasures& m = now_.measures;
+  m.energy_created = std::fmax(m.energy_created, std::fabs(contact.left()));
+  m.energy_lost = contact.crushed + contact.damped + contact.friction;
+  m.softened_share = contact.load > 0.0 ? contact.softened / contact.load : 0.0;
 }
 
 RunMeasures RunWatch::measures() const {

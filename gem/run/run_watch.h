@@ -39,6 +39,7 @@ class RunWatch {
 
  private:
   void add(const StepQuality& quality, double time);
+  void look_at_contacts(const ContactEnergy& contact);
 
   double time_step_;
   bool has_platform_;

@@ -7,6 +7,7 @@
 #include "gem/analysis/verdict/nyquist_criterion.h"
 #include "gem/analysis/verdict/overlap_criterion.h"
 #include "gem/analysis/verdict/residual_criterion.h"
+#include "gem/analysis/verdict/softened_criterion.h"
 #include "gem/analysis/verdict/speed_criterion.h"
 #include "gem/analysis/verdict/unfinished_criterion.h"
 
@@ -22,9 +23,14 @@ void add(RunVerdict& verdict, Judgement judgement) {
 
 RunVerdict judge_run(const RunMeasures& run) {
   RunVerdict verdict;
-  for (const auto criterion :
-       {judge_overlap, judge_unfinished, judge_residual, judge_speed, judge_energy, judge_nyquist})
-    add(verdict, criterion(run));
+  add(verdict, judge_overlap(run));
+  if (run.compliant) {
+    add(verdict, judge_softened(run));
+  } else {
+    add(verdict, judge_unfinished(run));
+    add(verdict, judge_residual(run));
+  }
+  for (const auto criterion : {judge_speed, judge_energy, judge_nyquist}) add(verdict, criterion(run));
   return verdict;
 }
 

@@ -28,11 +28,15 @@ struct RunMeasures {
   double residual_median = std::nan("");   // half of the time steps with contacts leave more [m/s]
   double residual_most = std::nan("");     // a tenth of them leaves more [m/s]
   Occurred floe_speed;                     // largest, of the floe frames [m/s]
-  double energy_created = std::nan("");    // sum over the time steps in which the contacts gave energy [J]
-  double energy_lost = std::nan("");       // sum over the time steps in which they took energy [J]
-  double energy_largest = 0.0;             // largest kinetic energy, of the floe frames [J]
-  double nyquist_share = std::nan("");     // of the ice force on the platform [-]
-  std::int64_t loaded_steps = 0;           // time steps with an ice force on the platform
+  /// Sum over the time steps in which the contacts gave energy; compliant: largest energy that the books of the
+  /// contacts leave unexplained [J].
+  double energy_created = std::nan("");
+  double energy_lost = std::nan("");  // sum over the time steps in which they took energy; compliant: all they took [J]
+  double energy_largest = 0.0;        // largest kinetic energy, of the floe frames [J]
+  bool compliant = false;  // contacts spring and crush: nothing iterates, and the overlap is that beyond crushed ice
+  double softened_share = std::nan("");  // load through softened corners over all load [-]
+  double nyquist_share = std::nan("");   // of the ice force on the platform [-]
+  std::int64_t loaded_steps = 0;         // time steps with an ice force on the platform
 
   /// The speed that drives the ice, for ratios: a scene at rest has 1 mm/s, as for the solver's tolerance [m/s].
   double driving_speed() const { return std::max(speed_scale, 1e-3); }

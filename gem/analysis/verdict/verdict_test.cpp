@@ -8,8 +8,10 @@
 #include "gem/analysis/verdict/nyquist_criterion.h"
 #include "gem/analysis/verdict/overlap_criterion.h"
 #include "gem/analysis/verdict/residual_criterion.h"
+#include "gem/analysis/verdict/softened_criterion.h"
 #include "gem/analysis/verdict/speed_criterion.h"
 #include "gem/analysis/verdict/unfinished_criterion.h"
+#include "gem/analysis/verdict/verdict_words.h"
 
 namespace gem {
 namespace {
@@ -49,6 +51,7 @@ const Row rows[] = {
     {"residual", judge_residual, [](RunMeasures& run, double value) { run.residual_most = value; }, 0.025, 0.1},
     {"floe_speed", judge_speed, [](RunMeasures& run, double value) { run.floe_speed.value = value; }, 1.0, 2.0},
     {"created_energy", judge_energy, [](RunMeasures& run, double value) { run.energy_created = value; }, 10.0, 100.0},
+    {"softened_share", judge_softened, [](RunMeasures& run, double value) { run.softened_share = value; }, 0.05, 0.5},
     {"nyquist_share", judge_nyquist, [](RunMeasures& run, double value) { run.nyquist_share = value; }, 0.6, 0.75},
 };
 
@@ -133,11 +136,27 @@ TEST(Verdict, AForceOfFewTimeStepsIsNotJudged) {
 TEST(Verdict, TheWorstCriterionDecides) {
   RunMeasures run = healthy();
   EXPECT_EQ(judge_run(run).grade, Grade::good);
-  EXPECT_EQ(judge_run(run).judgements.size(), std::size(rows));
+  EXPECT_EQ(judge_run(run).judgements.size(), std::size(rows) - 1) << "softened_share is of compliant contacts";
   run.unfinished_share = 0.9;
   EXPECT_EQ(judge_run(run).grade, Grade::doubtful);
   run.overlap_share = {0.5, 7.0};
   EXPECT_EQ(judge_run(run).grade, Grade::bad);
+}
+
+TEST(Verdict, CompliantContactsAreNotJudgedByIterations) {
+  RunMeasures run = healthy();
+  run.compliant = true;
+  run.unfinished_share = run.residual_most = nothing;
+  run.softened_share = 0.01;
+  const RunVerdict verdict = judge_run(run);
+  EXPECT_EQ(verdict.grade, Grade::good);
+  EXPECT_EQ(criteria_of_grade(verdict, Grade::good),
+            "overlap, softened_share, floe_speed, created_energy, nyquist_share");
+  EXPECT_EQ(verdict.judgements[0].text.find("deepest overlap beyond crushed ice 0.1 %"), 0U);
+  run.energy_created = 50.0;
+  EXPECT_EQ(judge_energy(run).text.find("the books of the contacts leave 50 J unexplained, 5 % of "), 0U)
+      << judge_energy(run).text;
+  EXPECT_NE(judge_energy(run).text.find("numerics.substeps"), std::string::npos);
 }
 
 TEST(Verdict, WhatIsNotMeasuredDoesNotDecide) {

@@ -7,6 +7,7 @@
 #include "gem/base/number_text.h"
 #include "gem/command/verdict_output.h"
 #include "gem/record/output/output_path.h"
+#include "gem/report/run/contact_energy_record.h"
 #include "gem/report/run/run_findings.h"
 
 namespace gem {
@@ -21,6 +22,11 @@ Json json_of(const IntervalEstimate& estimate) {
 Json json_of(const Finding& finding) {
   if (!finding.value) return nullptr;
   return finding.interval ? json_of(*finding.interval) : Json{{"value", *finding.value}};
+}
+
+Json json_of(const ContactEnergy& energy) {
+  return {{"stored_J", energy.stored},     {"crushed_J", energy.crushed}, {"damped_J", energy.damped},
+          {"friction_J", energy.friction}, {"left_J", energy.left()},     {"softened_share", softened_share(energy)}};
 }
 
 Json json_of(const LineFinding& line) {
@@ -96,6 +102,16 @@ std::string verdict_lines(const AnalysedRun& run) {
          (run.verdict.grade == Grade::good ? "" : reasons_text(run.verdict, "    "));
 }
 
+std::string contact_lines(const AnalysedRun& run) {
+  if (!run.contact_energy) return "";
+  const auto line = [](std::string name, const std::string& value) {
+    name.resize(32, ' ');
+    return "  " + name + value + "\n";
+  };
+  return line("contact energy", contact_energy_text(*run.contact_energy)) +
+         line("softened", softened_text(*run.contact_energy));
+}
+
 /// How many runs have which verdict, and a line for each run that is not good.
 std::string verdict_lines(const std::vector<AnalysedRun>& runs) {
   std::map<Grade, int> count;
@@ -116,6 +132,7 @@ Json json_of(const AnalysedRun& run) {
   Json object = {{"file", run.path}, {"name", run.name}, {"duration_s", run.duration_s}};
   object["verdict"] = grade_name(run.verdict.grade);
   object["verdict_criteria"] = criteria_json(run.verdict);
+  if (run.contact_energy) object["contact_energy"] = json_of(*run.contact_energy);
   for (const Finding& finding : run.findings) object["findings"][finding.name] = json_of(finding);
   for (const LineFinding& line : run.lines) object["mooring_lines"].push_back(json_of(line));
   return object;
@@ -123,7 +140,7 @@ Json json_of(const AnalysedRun& run) {
 
 std::string text_of(const AnalysedRun& run) {
   std::string text = shown(run.path) + ": " + run.name + ", " + short_text(run.duration_s) + " s\n" +
-                     verdict_lines(run) + row_text("", {"value", "95 % interval"});
+                     verdict_lines(run) + contact_lines(run) + row_text("", {"value", "95 % interval"});
   const bool without_contact = untouched(run.findings);
   bool some_not_resolved = false, mean_without_interval = false;
   for (const Finding& finding : run.findings) {

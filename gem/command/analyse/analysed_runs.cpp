@@ -13,6 +13,7 @@
 #include "gem/record/output/output_path.h"
 #include "gem/record/run_file/run_file.h"
 #include "gem/record/run_file/stored_case.h"
+#include "gem/report/run/contact_energy_record.h"
 #include "gem/report/run/fixed_record.h"
 #include "gem/report/run/load_run.h"
 #include "gem/report/run/platform_series.h"
@@ -130,12 +131,8 @@ AnalysedRun without_platform(const std::string& path, const RunData& data, doubl
           {}};
 }
 
-}  // namespace
-
-AnalysedRun analysed(const std::string& path, double from_s, bool allow_incomplete) {
-  const RunData data = load_run(path, allow_incomplete);
+AnalysedRun with_platform(const std::string& path, const RunData& data, double from_s) {
   const std::vector<double>& time = data.platform.time;
-  if (time.empty()) return without_platform(path, data, from_s);
   const std::size_t first = sample_from(data, from_s);
   if (time.size() < first + kSamplesForStatistics)
     refuse_too_short(path, kSamplesForStatistics, "platform samples", from_s);
@@ -146,6 +143,16 @@ AnalysedRun analysed(const std::string& path, double from_s, bool allow_incomple
           data.verdict,
           platform_findings(data, first),
           line_findings(data, first)};
+}
+
+}  // namespace
+
+AnalysedRun analysed(const std::string& path, double from_s, bool allow_incomplete) {
+  const RunData data = load_run(path, allow_incomplete);
+  AnalysedRun run =
+      data.platform.time.empty() ? without_platform(path, data, from_s) : with_platform(path, data, from_s);
+  run.contact_energy = contact_energy_of(RunFile(path, allow_incomplete));
+  return run;
 }
 
 CombinedRuns combined(const std::vector<AnalysedRun>& runs) {

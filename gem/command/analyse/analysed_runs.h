@@ -7,6 +7,7 @@
 
 #include "gem/analysis/run_analysis.h"
 #include "gem/analysis/runs_analysis.h"
+#include "gem/engine/step/ledger.h"
 #include "gem/record/verdict.h"
 
 namespace gem {
@@ -25,7 +26,8 @@ struct AnalysedRun {
   double duration_s = 0.0;
   RunVerdict verdict;
   std::vector<Finding> findings;
-  std::vector<LineFinding> lines;  // of the mooring
+  std::vector<LineFinding> lines;                    // of the mooring
+  std::optional<ContactEnergy> contact_energy = {};  // of compliant contacts
 };
 
 /// What several runs of one condition say together.

@@ -7,6 +7,7 @@
 #include "gem/command/command.h"
 #include "gem/command/verdict_output.h"
 #include "gem/record/run_file/run_writer.h"
+#include "gem/report/run/contact_energy_record.h"
 #include "gem/report/run/line_record.h"
 
 namespace gem {
@@ -21,12 +22,41 @@ std::string measured_text(double value, const char* unit) {
 double most_overlap(const RunSummary& s) { return std::min(s.overlap.quantile(0.999), s.worst.maximum_overlap); }
 double most_share(const RunSummary& s) { return std::min(s.overlap_share.quantile(0.999), s.worst.maximum_share); }
 
+std::string line(const std::string& name, const std::string& value) {
+  return "  " + name + std::string(name.size() < 22 ? 22 - name.size() : 1, ' ') + value + "\n";
+}
+
+/// How the contacts were resolved by iterations.
+std::string iteration_lines(const RunSummary& s) {
+  const std::string asked =
+      std::isnan(s.asked_residual) ? "" : ", " + number_text(1e3 * s.asked_residual, 3) + " mm/s asked for";
+  return line("largest residual", number_text(1e3 * s.worst.residual, 3) + " mm/s left at a contact" + asked) +
+         line("complementarity", measured_text(s.worst.complementarity, " m/s")) +
+         line("friction cone", measured_text(s.worst.cone_excess, " N s beyond")) +
+         line("energy created", measured_text(s.worst.energy_created, " J"));
+}
+
+std::string compliant_lines(const RunSummary& s) {
+  return line("contact energy", contact_energy_text(s.contact)) + line("softened", softened_text(s.contact));
+}
+
+/// In place of what iterations leave.
+void add_compliant(const RunSummary& s, nlohmann::ordered_json& object) {
+  for (const char* key : {"iterations", "steps_at_iteration_limit", "closing_residual_m_per_s",
+                          "complementarity_m_per_s", "cone_excess_N_s", "energy_created_J"})
+    object.erase(key);
+  object["substeps"] = s.worst.iterations;
+  object["contact_crushed_J"] = s.contact.crushed;
+  object["contact_damped_J"] = s.contact.damped;
+  object["contact_friction_J"] = s.contact.friction;
+  object["contact_stored_J"] = s.contact.stored;
+  object["contact_left_J"] = s.contact.left();
+  object["softened_share"] = softened_share(s.contact);
+}
+
 }  // namespace
 
 std::string summary_text(const RunSummary& s) {
-  const auto line = [](const std::string& name, const std::string& value) {
-    return "  " + name + std::string(name.size() < 22 ? 22 - name.size() : 1, ' ') + value + "\n";
-  };
   std::string text = s.status + (s.file.empty() ? "" : ": " + s.file) + "\n";
   text += line("engine", s.engine);
   text += line("simulated", number_text(s.time, 10) + " s in " + std::to_string(s.steps) + " time steps");
@@ -35,18 +65,16 @@ std::string summary_text(const RunSummary& s) {
   text += line("active floes", fixed_text(s.active_floes, 0));
   if (!s.line_break_times.empty()) text += line("broken mooring lines", broken_lines_text(s.line_break_times));
   text += line("most contacts", std::to_string(s.worst.contacts));
-  text += line("most iterations", std::to_string(s.worst.iterations) + ", limit reached in " +
-                                      std::to_string(s.at_limit) + " of " + std::to_string(s.steps) + " time steps");
-  text += line("largest overlap", number_text(s.worst.maximum_overlap, 3) + " m, " +
+  text += s.compliant ? line("substeps", std::to_string(s.worst.iterations) + " of a time step")
+                      : line("most iterations", std::to_string(s.worst.iterations) + ", limit reached in " +
+                                                    std::to_string(s.at_limit) + " of " + std::to_string(s.steps) +
+                                                    " time steps");
+  text += line("largest overlap", number_text(s.worst.maximum_overlap, 3) + " m" +
+                                      (s.compliant ? " beyond crushed ice, " : ", ") +
                                       number_text(100.0 * s.worst.maximum_share, 3) + " % of the smaller body");
   text += line("99.9 % of overlaps",
                "below " + number_text(most_overlap(s), 3) + " m, " + number_text(100.0 * most_share(s), 3) + " %");
-  const std::string asked =
-      std::isnan(s.asked_residual) ? "" : ", " + number_text(1e3 * s.asked_residual, 3) + " mm/s asked for";
-  text += line("largest residual", number_text(1e3 * s.worst.residual, 3) + " mm/s left at a contact" + asked);
-  text += line("complementarity", measured_text(s.worst.complementarity, " m/s"));
-  text += line("friction cone", measured_text(s.worst.cone_excess, " N s beyond"));
-  text += line("energy created", measured_text(s.worst.energy_created, " J"));
+  text += s.compliant ? compliant_lines(s) : iteration_lines(s);
   text += line("momentum residual", number_text(s.residual.momentum, 3));
   text += line("angular residual", number_text(s.residual.angular_momentum, 3));
   text += line("energy residual", number_text(s.residual.energy, 3));
@@ -85,6 +113,7 @@ std::string summary_json(const RunSummary& s) {
                                    {"state_hash", hash_text(s.state_hash)},
                                    {"verdict", grade_name(s.verdict.grade)},
                                    {"verdict_criteria", criteria_json(s.verdict)}};
+  if (s.compliant) add_compliant(s, object);
   if (!s.line_break_times.empty()) object["line_break_times_s"] = s.line_break_times;
   return object.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
 }

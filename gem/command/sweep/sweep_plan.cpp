@@ -13,6 +13,7 @@
 
 #include "gem/base/error.h"
 #include "gem/base/number_text.h"
+#include "gem/command/command.h"
 #include "gem/command/index_list.h"
 #include "gem/command/sweep/case_difference.h"
 #include "gem/command/sweep/folder/sweep_manifest.h"
@@ -137,7 +138,10 @@ std::vector<int> gpus_that_answer() {
 
 void group(SweepPlan& plan) {
   const std::string& engine = plan.settings.engine.name;
-  if (engine == "cuda" || engine == "auto") plan.devices = gpus_that_answer();
+  const bool all_on_gpu = std::all_of(plan.to_do.begin(), plan.to_do.end(), [&plan](std::size_t place) {
+    return has_solver_on_gpu(plan.members[plan.chosen[place]].scene);
+  });
+  if (engine == "cuda" || (engine == "auto" && all_on_gpu)) plan.devices = gpus_that_answer();
   if (engine == "cuda" && plan.devices.empty())
     throw Error(ExitCode::device, "no GPU answers (`gem devices` says why); use --engine cpu");
   std::vector<std::int64_t> steps;

@@ -5,10 +5,17 @@
 #include <tuple>
 #include <utility>
 
+#include "gem/engine/breakup/corner_heirs.h"
 #include "gem/field/floe_reserve.h"
 
 namespace gem {
 namespace {
+
+std::vector<FloeSplit> splits_of(const std::vector<SplitEvent>& events) {
+  std::vector<FloeSplit> splits;
+  for (const SplitEvent& event : events) splits.push_back(event.split);
+  return splits;
+}
 
 /// The floes that split have no contacts any more: what the solver remembers of them goes.
 void drop_impulses(EngineState& state) {
@@ -81,6 +88,7 @@ void BreakupEngine::split(StepLog& log) {
   if (made.empty()) return;
   for (const SplitEvent& event : made) loads_.add_crack(event.energy);
   drop_impulses(state);
+  if (scene_.contact.solver == ContactSolver::compliant) hand_on_corners(state, splits_of(made));
   engine_->restore(state);
   loads_.drop_inactive(engine_->bodies());
   name_pieces(made);

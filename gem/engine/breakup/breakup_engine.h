@@ -34,6 +34,7 @@ class BreakupEngine : public Engine {
   Ledger ledger() override;
   LineSet broken_lines() const override { return engine_->broken_lines(); }
   const DpState* dp_state() const override { return engine_->dp_state(); }
+  KeptCorners kept_corners() const override { return engine_->kept_corners(); }
   bool has_contact_forces() const override { return true; }
   std::vector<ContactForce> contact_forces() override { return forces_; }
   EngineState save() override;

@@ -206,7 +206,7 @@ void CompliantContacts::open(const FieldState& f, Contacts contacts, SubPair& pa
                        h_, larger(compliance.nn, compliance.tt));
     const std::int32_t owner = f.constants.owner_of(contact.a);
     const std::int32_t vertex = b.vertex_begin[p] - b.vertex_begin[found.of_b ? contact.b : owner] + found.corner;
-    point_key_[k] = contact_key(owner, contact.b, 2 * vertex + (found.of_b ? 1 : 0));
+    point_key_[k] = corner_key(owner, contact.b, vertex, found.of_b);
     keep(s, point_key_[k], at_start_ && nearest.side >= 0);
   }
 }
@@ -367,6 +367,7 @@ void CompliantContacts::tell_pair(FieldState& f, const SubPair& pair, Contact& c
     work.stored += s.work.stored, work.crushed += s.work.crushed;
     work.damped += s.work.damped, work.friction += s.work.friction;
   }
+  quality.maximum_depth = larger(quality.maximum_depth, deepest);
   energy_.stored += work.stored;
   energy_.crushed += work.crushed;
   energy_.damped += work.damped;

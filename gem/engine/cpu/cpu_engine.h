@@ -30,6 +30,7 @@ class CpuEngine : public Engine {
   Ledger ledger() override;
   LineSet broken_lines() const override { return field_.broken; }
   const DpState* dp_state() const override { return field_.constants.events.dp ? &field_.dp : nullptr; }
+  KeptCorners kept_corners() const override { return {compliant_.keys(), compliant_.memory()}; }
   bool has_contact_forces() const override { return true; }
   std::vector<ContactForce> contact_forces() override { return gem::contact_forces(field_, pairs_.contacts()); }
   EngineState save() override;

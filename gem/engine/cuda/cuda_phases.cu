@@ -213,6 +213,8 @@ PhaseKernel by_solver(ContactSolver solver) {
       return phase_of_all<stage, blocks, ContactSolver::coupled>;
     case ContactSolver::independent:
       return phase_of_all<stage, blocks, ContactSolver::independent>;
+    case ContactSolver::compliant:
+      break;
   }
   return nullptr;
 }

@@ -254,6 +254,8 @@ GEM_DEVICE inline void advance_scene(const DeviceScene& s, Group& group, std::in
     case ContactSolver::independent:
       ResidentSteps<ContactSolver::independent, Group>(s, group, steps).advance();
       break;
+    case ContactSolver::compliant:
+      break;
   }
 }
 

@@ -75,8 +75,8 @@ inline void expect_same_log(const StepLog& a, const StepLog& b) {
     const ContactEvent &e = a.events[k], &g = b.events[k];
     ASSERT_EQ(std::tie(e.time, e.body_a, e.body_b, e.closing_speed, e.impulse_normal, e.impulse_tangential),
               std::tie(g.time, g.body_a, g.body_b, g.closing_speed, g.impulse_normal, g.impulse_tangential));
-    ASSERT_EQ(std::tie(e.effective_mass, e.peak_force, e.width, e.growth, e.depth),
-              std::tie(g.effective_mass, g.peak_force, g.width, g.growth, g.depth));
+    ASSERT_EQ(std::tie(e.effective_mass, e.peak_force, e.largest_force, e.width, e.growth, e.depth),
+              std::tie(g.effective_mass, g.peak_force, g.largest_force, g.width, g.growth, g.depth));
     ASSERT_TRUE(same(e.point, g.point));
   }
 }
@@ -128,8 +128,15 @@ inline void expect_same_judgement(const StepLog& a, const StepLog& b) {
   }
 }
 
-/// The warm start of the contact points.
+/// The warm start of the contact points, and what corners remember.
 inline void expect_same_memory(const EngineState& a, const EngineState& b) {
+  ASSERT_EQ(a.corner_key, b.corner_key);
+  ASSERT_EQ(a.substeps, b.substeps);
+  const std::size_t bytes = b.corner_value.size() * sizeof(CornerMemory);
+  ASSERT_EQ(a.corner_value.size(), b.corner_value.size());
+  if (bytes > 0) {
+    EXPECT_EQ(std::memcmp(a.corner_value.data(), b.corner_value.data(), bytes), 0);
+  }
   ASSERT_EQ(a.impulse_key, b.impulse_key);
   ASSERT_EQ(a.impulse_value.size(), b.impulse_value.size());
   if (b.impulse_value.empty()) return;
@@ -148,6 +155,10 @@ inline void expect_same_books(const Ledger& a, const Ledger& b) {
   EXPECT_EQ(a.mooring_force.angular_momentum, b.mooring_force.angular_momentum);
   EXPECT_EQ(a.now.energy, b.now.energy);
   EXPECT_EQ(a.crack_energy, b.crack_energy);
+  for (const auto member :
+       {&ContactEnergy::work, &ContactEnergy::stored, &ContactEnergy::crushed, &ContactEnergy::damped,
+        &ContactEnergy::friction, &ContactEnergy::load, &ContactEnergy::softened})
+    EXPECT_EQ(a.contact.*member, b.contact.*member);
 }
 
 }  // namespace gem::test

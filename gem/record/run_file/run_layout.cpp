@@ -69,6 +69,7 @@ RunLayout::RunLayout(const std::string& path, const SceneDef& scene, const Bodie
       chunk_(chunk_shape(size_["floe"])),
       has_contacts_(scene.output.contact_forces),
       has_splits_(records_splits(scene)),
+      is_compliant_(is_compliant(scene)),
       has_sides_(records_sides(scene)),
       parts_(part_columns(scene)),
       file_(path, size_, chunk_) {
@@ -102,6 +103,10 @@ RunLayout::RunLayout(const std::string& path, const SceneDef& scene, const Bodie
   for (const auto& entry : event_columns()) file_.add_column(entry.column, nullptr);
   for (const auto& entry : stats_columns()) file_.add_column(entry.column, nullptr);
   for (const auto& entry : count_columns()) file_.add_column(entry.column, nullptr);
+  if (is_compliant_) {
+    for (const auto& entry : compliant_event_columns()) file_.add_column(entry.column, nullptr);
+    for (const auto& entry : compliant_stats_columns()) file_.add_column(entry.column, nullptr);
+  }
   if (has_contacts_)
     for (const auto& entry : contact_columns()) file_.add_column(entry.column, nullptr);
   if (has_splits_) {
@@ -203,11 +208,13 @@ void RunLayout::append_stats(std::size_t count, Rows kind) {
     file_.append("/stats/" + entry.column.name, values, count, kind);
   }
   append_rows(stats_columns(), waiting_.stats, count, kind);
+  if (is_compliant_) append_rows(compliant_stats_columns(), waiting_.stats, count, kind);
   if (has_splits_) append_rows(crack_columns(), waiting_.stats, count, kind);
 }
 
 void RunLayout::append_events(std::size_t count, Rows kind) {
   append_rows(event_columns(), waiting_.events, count, kind);
+  if (is_compliant_) append_rows(compliant_event_columns(), waiting_.events, count, kind);
   file_.append("/events/event", std::vector<double>{}, count, kind);
 }
 

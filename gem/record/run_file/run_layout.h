@@ -74,6 +74,7 @@ class RunLayout {
   ChunkShape chunk_;
   bool has_contacts_;              // the forces between bodies are recorded
   bool has_splits_;                // floes may split
+  bool is_compliant_;              // the books and the forces of compliant contacts are recorded
   bool has_sides_;                 // the impulses on the sides of the platform are recorded
   std::vector<PartColumn> parts_;  // of mooring lines and thrusters
   ColumnFile file_;

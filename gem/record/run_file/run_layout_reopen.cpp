@@ -18,8 +18,7 @@ struct Growing {
 };
 
 std::vector<Growing> growing_columns(const std::map<std::string, hsize_t>& size, const FilePosition& from,
-                                     const std::vector<PartColumn>& parts, bool has_contacts, bool has_sides,
-                                     bool has_splits) {
+                                     const SceneDef& scene) {
   const auto columns_of = [](const auto& entries) {
     std::vector<Column> columns;
     for (const auto& entry : entries) columns.push_back(entry.column);
@@ -31,11 +30,15 @@ std::vector<Growing> growing_columns(const std::map<std::string, hsize_t>& size,
                                  {columns_of(event_columns()), 1, from.events},
                                  {columns_of(stats_columns()), 1, from.stats},
                                  {columns_of(count_columns()), size.at("overlap_class"), from.stats}};
-  if (has_sides) groups.push_back({columns_of(side_columns()), size.at("platform_side"), from.platform});
-  for (const PartColumn& part : parts)
+  if (records_sides(scene)) groups.push_back({columns_of(side_columns()), size.at("platform_side"), from.platform});
+  for (const PartColumn& part : part_columns(scene))
     groups.push_back({{part.column}, width_of_part(part.column, size), from.platform});
-  if (has_contacts) groups.push_back({columns_of(contact_columns()), 1, from.contacts});
-  if (has_splits) {
+  if (scene.output.contact_forces) groups.push_back({columns_of(contact_columns()), 1, from.contacts});
+  if (is_compliant(scene)) {
+    groups.push_back({columns_of(compliant_event_columns()), 1, from.events});
+    groups.push_back({columns_of(compliant_stats_columns()), 1, from.stats});
+  }
+  if (records_splits(scene)) {
     groups.push_back({columns_of(crack_columns()), 1, from.stats});
     groups.push_back({columns_of(split_columns()), 1, from.splits});
   }
@@ -62,6 +65,7 @@ RunLayout::RunLayout(const std::string& path, const SceneDef& scene, const Bodie
       chunk_(chunk_shape(size_["floe"])),
       has_contacts_(scene.output.contact_forces),
       has_splits_(records_splits(scene)),
+      is_compliant_(is_compliant(scene)),
       has_sides_(records_sides(scene)),
       parts_(part_columns(scene)),
       file_(ColumnFile::reopened(path, size_, chunk_)),
@@ -69,7 +73,7 @@ RunLayout::RunLayout(const std::string& path, const SceneDef& scene, const Bodie
       written_{from.platform, from.events, from.stats, from.frames, from.contacts, from.splits},
       last_time_(from.last_time),
       saved_time_(from.last_time) {
-  const std::vector<Growing> groups = growing_columns(size_, from, parts_, has_contacts_, has_sides_, has_splits_);
+  const std::vector<Growing> groups = growing_columns(size_, from, scene);
   check_rows("/events/event", file_.open_dimension("/events/event"), from.events);
   if (has_contacts_) check_rows("/contacts/contact", file_.open_dimension("/contacts/contact"), from.contacts);
   if (has_splits_) check_rows("/splits/split", file_.open_dimension("/splits/split"), from.splits);

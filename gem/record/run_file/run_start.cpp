@@ -42,7 +42,8 @@ std::size_t frame_at(const RunFile& file, double time) {
 
 double deepest_overlap(const RunFile& file) {
   double deepest = 0.0;
-  for (const double overlap : file.column("stats/maximum_overlap")) deepest = std::max(deepest, overlap);
+  const char* const name = file.has("stats/maximum_depth") ? "stats/maximum_depth" : "stats/maximum_overlap";
+  for (const double overlap : file.column(name)) deepest = std::max(deepest, overlap);
   return deepest;
 }
 

@@ -1,6 +1,7 @@
 #include "gem/run/checkpoint/check_state.h"
 
 #include <algorithm>
+#include <functional>
 
 #include "gem/engine/contact_key.h"
 #include "gem/record/schema.h"
@@ -35,6 +36,22 @@ bool impulses_fit(const EngineState& e) {
          std::all_of(e.impulse_key.begin(), e.impulse_key.end(), [bodies](std::uint64_t key) {
            return body_a_of(key) >= 0 && body_a_of(key) < body_b_of(key) && body_b_of(key) < bodies;
          });
+}
+
+/// Ascending keys of corners that their bodies have, of which the second follows the pieces of the platform.
+bool corners_fit(const EngineState& e) {
+  const Bodies& b = e.bodies;
+  const auto bodies = static_cast<std::int64_t>(b.count()), fixed = static_cast<std::int64_t>(first_fixed(b));
+  const auto fits = [&](std::uint64_t key) {
+    const std::int64_t first = body_a_of(key), second = body_b_of(key);
+    if (first < 0 || first >= second || second < fixed || second >= bodies) return false;
+    const auto owner = static_cast<std::size_t>(is_of_second(key) ? second : first);
+    const std::size_t end = owner == 0 ? first_fixed(b) : owner + 1;
+    return corner_of(key) < b.vertex_begin[end] - b.vertex_begin[owner];
+  };
+  return e.corner_key.size() == e.corner_value.size() && e.substeps >= 0 &&
+         std::is_sorted(e.corner_key.begin(), e.corner_key.end(), std::less_equal<>()) &&
+         std::all_of(e.corner_key.begin(), e.corner_key.end(), fits);
 }
 
 bool loads_fit(const EngineState& e) {
@@ -94,6 +111,7 @@ std::string fault_of(const Checkpoint& c) {
   if (!outlines_fit(b)) return "its outlines do not fit";
   if (!kinds_fit(b)) return "its bodies are not in order";
   if (!impulses_fit(c.engine)) return "its contacts do not fit";
+  if (!corners_fit(c.engine)) return "its corners do not fit";
   if (!loads_fit(c.engine)) return "its loads do not fit";
   if (!sides_fit(c)) return "its sides do not fit";
   if (!lines_fit(c)) return "its mooring lines do not fit";

@@ -16,7 +16,7 @@ namespace {
 constexpr std::array<char, 8> mark = {'g', 'e', 'm', 'c', 'h', 'e', 'c', 'k'};
 
 /// Raised with every change of a type below: a checkpoint of another version cannot be read.
-constexpr std::uint64_t version = 6;
+constexpr std::uint64_t version = 7;
 
 /// What stands before the bytes of a part: a ByteReader takes it for a number and the head of a list of bytes.
 struct PartHead {
@@ -52,6 +52,7 @@ template <class Stream, class State>
 void pass_engine(Stream& s, State& e) {
   s(e.step, e.ledger, e.books, e.impulse_key, e.impulse_value, e.broken, e.dp, e.loads.before, e.loads.now,
     e.loads.crack_energy, e.loads.full);
+  s(e.corner_key, e.corner_value, e.substeps);
   pass_bodies(s, e.bodies);
 }
 

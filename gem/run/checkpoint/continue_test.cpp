@@ -11,8 +11,10 @@
 
 #include "gem/base/error.h"
 #include "gem/base/scratch_folder.h"
+#include "gem/engine/contact_key.h"
 #include "gem/engine/testing/test_scenes.h"
 #include "gem/record/run_file/run_file.h"
+#include "gem/run/checkpoint/check_state.h"
 #include "gem/run/checkpoint/checkpoint_file.h"
 #include "gem/run/checkpoint/resume.h"
 #include "gem/run/run_batch.h"
@@ -40,7 +42,9 @@ constexpr Setting settings[] = {
     {"cpu_1_coupled", "cpu", 1, ContactSolver::coupled, Iteration::gradient},
     {"cpu_2_coupled", "cpu", 2, ContactSolver::coupled, Iteration::gradient},
     {"cpu_1_splitting", "cpu", 1, ContactSolver::coupled, Iteration::splitting},
-    {"cpu_2_splitting", "cpu", 2, ContactSolver::coupled, Iteration::splitting}};
+    {"cpu_2_splitting", "cpu", 2, ContactSolver::coupled, Iteration::splitting},
+    {"cpu_1_compliant", "cpu", 1, ContactSolver::compliant, Iteration::gradient},
+    {"cpu_2_compliant", "cpu", 2, ContactSolver::compliant, Iteration::gradient}};
 
 SceneDef scene_of(const Setting& setting) {
   SceneDef scene = test::busy_scene(5);
@@ -140,6 +144,28 @@ TEST_P(ContinueTest, AStoppedRunGoesOnToTheSameBits) {
   expect_same_rows(path("whole.h5"), path("parts.h5"), scene);
   expect_same_totals(whole, last);
   EXPECT_EQ(files(), 2u) << "checkpoints are left behind";
+}
+
+TEST(CheckpointState, CornersMustFitTheBodies) {
+  const Setting& setting = settings[8];
+  const SceneDef scene = scene_of(setting);
+  const auto engine = test::busy_engine(scene, setting.engine, setting.threads);
+  StepLog log;
+  engine->advance(60, log);
+  Checkpoint checkpoint;
+  checkpoint.engine = engine->save();
+  checkpoint.recorder.now.step = checkpoint.engine.step;
+  ASSERT_GT(checkpoint.engine.corner_key.size(), 1u);
+  EXPECT_EQ(fault_of(checkpoint), "");
+  const auto body = static_cast<std::int32_t>(checkpoint.engine.bodies.count());
+  for (const std::uint64_t key : {corner_key(1, body, 0, false), corner_key(5, 5, 0, false),
+                                  corner_key(1, body - 1, 1000, true), checkpoint.engine.corner_key[0]}) {
+    Checkpoint damaged = checkpoint;
+    damaged.engine.corner_key[1] = key;
+    EXPECT_EQ(fault_of(damaged), "its corners do not fit");
+  }
+  checkpoint.engine.corner_value.pop_back();
+  EXPECT_EQ(fault_of(checkpoint), "its corners do not fit");
 }
 
 TEST_P(ContinueTest, CheckpointsChangeNothing) {

@@ -136,7 +136,7 @@ void warn_of_pieces(const SceneDef& scene, std::vector<std::string>& warnings) {
   if (p.outline == PlatformOutline::pieces && p.piece.size() > 1 && scene.contact.solver == ContactSolver::independent)
     warnings.push_back(
         "platform.piece: a floe that touches two pieces at once is struck by each (contact.solver = \"independent\" "
-        "answers every pair alone); set contact.solver = \"coupled\"");
+        "answers every pair alone); set contact.solver = \"coupled\" or \"compliant\"");
 }
 
 void warn_of_heading(const SceneDef& scene, std::vector<std::string>& warnings) {

@@ -50,7 +50,7 @@ INSTANTIATE_TEST_SUITE_P(
                  {"current.velocity_m_per_s: a number with a unit (value 0.5 m/s)"}},
         BadScene{"choice_without_quotes",
                  "[contact]\nsolver = coupled\n",
-                 {"contact.solver: a text needs quotes (value coupled, allowed independent, coupled); write "
+                 {"contact.solver: a text needs quotes (value coupled, allowed independent, coupled, compliant); write "
                   "\"coupled\""}},
         BadScene{
             "text_without_quotes", "[run]\nname = 20min_of_ice # a comment\n", {"bad.toml:2:", "run.name: malformed"}},

@@ -18,7 +18,7 @@ void add_contact(SceneTable& t) {
          GEM_FIELD(contact.crushing_limit));
   t.number("contact.elastic_stiffness_N_per_m", "N/m", {0.0, 1e12},
            "independent: stiffness of the static event; 0: none", GEM_FIELD(contact.elastic_stiffness_N_per_m));
-  t.opt_in = true;
+  t.counts_with = {"contact.solver", "compliant"};
   t.number("contact.face_stiffness_Pa", "Pa", {1e5, 1e12},
            "compliant: stiffness of a face of ice on a face, over the thickness of the thinner floe; the number of "
            "substeps grows with its root",
@@ -28,7 +28,7 @@ void add_contact(SceneTable& t) {
   t.number("contact.structure_stiffness_N_per_m", "N/m", {1e5, 1e13},
            "compliant: stiffness of a structure on a wall, where no ice is between them",
            GEM_FIELD(contact.structure_stiffness_N_per_m));
-  t.opt_in = false;
+  t.counts_with = {};
 }
 
 }  // namespace gem::sections

@@ -31,11 +31,11 @@ void add_numerics(SceneTable& t) {
            GEM_FIELD(numerics.repair_share));
   t.number("numerics.repair_speed_m_per_s", "m/s", {0.0, 1e3}, "coupled: largest speed at which an overlap is removed",
            GEM_FIELD(numerics.repair_speed_m_per_s));
-  t.opt_in = true;
+  t.counts_with = {"contact.solver", "compliant"};
   t.integer("numerics.substeps", {0.0, 1e5},
             "compliant: substeps of a time step; 0: as many as stiffness and mass of the floes ask for",
             GEM_FIELD(numerics.substeps));
-  t.opt_in = false;
+  t.counts_with = {};
 }
 
 }  // namespace gem::sections

@@ -31,6 +31,7 @@ struct SubBody {
   Vec2 shift_sum;                    // sum of the shifts at the kicks [m]
   double kick_work = 0.0;            // [J]
   double contact_work = 0.0;         // [J]
+  bool pressed = false;              // a corner has overlapped
 };
 
 /// Energy of contacts since the start of the time step [J]; stored: at present. Losses are > 0.
@@ -278,6 +279,7 @@ GEM_HD inline void press_pair(SubPair& pair, SubPoint* all, const SubBody* bodie
 
 /// Velocity after the impulses of the contacts.
 GEM_HD inline void push(SubBody& b, Vec2 impulse, double twist) {
+  b.pressed = true;
   const Vec2 velocity = b.velocity;
   const double spin = b.spin;
   b.velocity += b.inverse_mass * impulse;

@@ -260,13 +260,14 @@ void CompliantContacts::run(FieldState& f, ThreadTeam& team, int rank) {
   }
 }
 
-/// A floe keeps its substeps' motion; move_floes() adds the path of its last velocity, so the rest is a shift.
+/// A floe that was pressed keeps its substeps' motion; move_floes() adds the path of its last velocity, so the rest is a
+/// shift. Any other follows the exact path of its drag, with the bits that it has without neighbours.
 void CompliantContacts::hand_back(FieldState& f, std::int32_t entry) {
   const SubBody& s = body_[entry];
   Bodies& b = f.bodies;
   const std::int32_t i = body_id_[entry];
   f.book(Channel::impact, i).energy += s.contact_work;
-  if (entry == platform_ || b.kind[i] != BodyKind::floe) return;
+  if (entry == platform_ || b.kind[i] != BodyKind::floe || !s.pressed) return;
   // the books of the other loads were made as if they acted alone
   Quantity& drag = f.book(Channel::drag, i);
   const Vec2 impulse = s.mass * (b.velocity[i] - velocity_before_[i]);

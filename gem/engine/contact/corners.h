@@ -9,6 +9,7 @@
 
 #include <cstdint>
 
+#include "gem/base/choose.h"
 #include "gem/geometry/separating_axes.h"
 
 namespace gem {
@@ -37,14 +38,28 @@ GEM_HD inline SideDistance outermost_side(const Surface& s, Vec2 y) {
   return best;
 }
 
-/// The nearest visible side of a point inside the outline; side < 0: the point is not inside.
-GEM_HD inline SideDistance nearest_side(const Surface& s, Vec2 y) {
-  SideDistance best{-1, -1e300};
+/// The visible side of the outline that a corner at `y` presses, of which the corner's body must be moved out least as
+/// far as its own sides beside the corner tell: a corner beside the end of a side does not press on the next one.
+/// `flank`: from the corner to its neighbours; `slack`: the corner counts as inside the other sides up to this distance
+/// [m]. side < 0: it is not inside.
+GEM_HD inline SideDistance pressed_side(const Surface& s, Vec2 y, const Vec2 flank[2], double slack) {
+  SideDistance best{-1, 0.0};
+  double least = 1e300;
+  int outside = -1;
   for (int j = 0; j < s.outline.count; ++j) {
-    const double distance = dot(s.outline.normal[j], y - s.outline.corner[j]);
-    if (!(distance < 0.0)) return {};
-    if (distance > best.distance && s.shows(j)) best = {j, distance};
+    const Vec2 normal = s.outline.normal[j];
+    const double distance = dot(normal, y - s.outline.corner[j]);
+    if (!(distance < slack)) {
+      if (outside >= 0) return {};
+      outside = j;
+    }
+    const double beyond = larger(0.0, larger(-dot(normal, flank[0]), -dot(normal, flank[1])));
+    if (beyond - distance < least && s.shows(j)) {
+      least = beyond - distance;
+      best = {j, distance};
+    }
   }
+  if (!(best.distance < 0.0) || (outside >= 0 && outside != best.side)) return {};
   return best;
 }
 

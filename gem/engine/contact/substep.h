@@ -47,7 +47,8 @@ struct SubPoint {
   Vec2 between;               // from q's centroid to p's at the start [m]
   Vec2 normal;                // of a side of q: outside it, the corner does not overlap
   double offset = 0.0;        // of that side along its normal, from q's centroid [m]
-  bool overlaps = false;
+  double slack = 0.0;         // see pressed_side() [m]
+  bool overlaps = false, entered = false;  // now; not in the last substep
   // read where it overlaps
   CornerLaw law;
   CornerMemory memory;
@@ -110,8 +111,9 @@ GEM_HD inline bool touch(SubPoint& s, const SubBody& p, const SubBody& q) {
   const Vec2 arm_p = turned_with(p, s.corner);
   const Vec2 arm_q = s.between + p.shift - q.shift + arm_p;
   const Vec2 y = in_axes_of(q, arm_q);
-  if (!(dot(s.normal, y) < s.offset)) return false;
-  const SideDistance nearest = nearest_side(s.surface, y);
+  if (!(dot(s.normal, y) < s.offset + larger(0.0, s.slack))) return false;
+  const Vec2 flank[2] = {in_axes_of(q, turned_with(p, s.flank[0])), in_axes_of(q, turned_with(p, s.flank[1]))};
+  const SideDistance nearest = pressed_side(s.surface, y, flank, s.slack);
   if (nearest.side < 0) return false;
   s.depth = -nearest.distance;
   s.axis = turned_with(q, s.surface.outline.normal[nearest.side]);
@@ -120,7 +122,6 @@ GEM_HD inline bool touch(SubPoint& s, const SubBody& p, const SubBody& q) {
   const Vec2 u = p.velocity + cross(p.spin, arm_p) - q.velocity - cross(q.spin, arm_q);
   s.speed_n = dot(u, s.axis);
   s.speed_t = dot(u, turned_left(s.axis));
-  s.trial = corner_pressure(s.law, s.depth - s.memory.crushed, s.speed_n);
   return true;
 }
 
@@ -190,15 +191,23 @@ GEM_HD inline void press(SubPoint& s, const SubBody& q, double force, bool crush
   s.most_elastic = larger(s.most_elastic, m.elastic);
 }
 
-/// An ongoing contact whose touching corner changes goes on: a corner that meets fresh ice in the substep in which
-/// another corner of the pair leaves takes over its spring.
+/// Spring and dashpot of a corner. One that has entered has sprung by its motion of the last substep: the rest of its
+/// depth came from beside, or a contact was found late.
+GEM_HD inline double try_corner(SubPoint& s, double h) {
+  if (s.entered) s.memory.crushed = larger(0.0, s.depth + h * smaller(0.0, s.speed_n));
+  return corner_pressure(s.law, s.depth - s.memory.crushed, s.speed_n);
+}
+
+/// An ongoing contact whose touching corner changes goes on: a corner that enters in the substep in which another corner
+/// of the pair leaves takes over its spring.
 GEM_HD inline void hand_over(SubPoint* points, int count, const CornerMemory& left) {
   for (int k = 0; k < count; ++k) {
     SubPoint& s = points[k];
-    if (!s.overlaps || s.memory.normal > 0.0 || s.memory.crushed > 0.0) continue;
+    if (!s.overlaps || !s.entered) continue;
     const double elastic = left.elastic * smaller(1.0, left.stiffness / s.law.stiffness);
     s.memory.crushed = larger(0.0, s.depth - elastic);
     s.memory.stretch = left.stretch;
+    s.trial = corner_pressure(s.law, s.depth - s.memory.crushed, s.speed_n);
     return;
   }
 }
@@ -229,34 +238,26 @@ GEM_HD inline void press_pair(SubPair& pair, SubPoint* all, const SubBody* bodie
   SubPoint* const points = all + pair.first;
   int inside = 0;
   CornerMemory left;
-  bool hands_over = false;
   for (int k = 0; k < pair.count; ++k) {
     SubPoint& s = points[k];
     const bool overlapped = s.overlaps;
     s.overlaps = touch(s, bodies[s.p], bodies[s.q]);
+    s.entered = s.overlaps && !overlapped;
     inside += s.overlaps;
+    if (s.overlaps) s.trial = try_corner(s, h);
     if (!s.overlaps && overlapped) {
-      if (s.memory.normal > left.normal) left = s.memory, hands_over = true;
+      if (s.memory.normal > left.normal) left = s.memory;
       leave(s, h);
     }
   }
   if (inside == 0) return;
+  if (left.normal > 0.0) hand_over(points, pair.count, left);
   double sum = 0.0, depth = 0.0;
   for (int k = 0; k < pair.count; ++k)
     if (points[k].overlaps) {
       sum += points[k].trial;
       depth = larger(depth, points[k].depth);
     }
-  if (hands_over) {
-    hand_over(points, pair.count, left);
-    sum = 0.0;
-    for (int k = 0; k < pair.count; ++k) {
-      SubPoint& s = points[k];
-      if (!s.overlaps) continue;
-      s.trial = corner_pressure(s.law, s.depth - s.memory.crushed, s.speed_n);
-      sum += s.trial;
-    }
-  }
   double share = 1.0, chord = 0.0;
   if (sum > 0.0 && pair.bound >= 0.0) {
     for (int k = 0; k < pair.count; ++k)

@@ -13,6 +13,9 @@ namespace {
 std::int32_t body_p(const Contact& c, bool of_b) { return of_b ? c.b : c.a; }
 std::int32_t body_q(const Contact& c, bool of_b) { return of_b ? c.a : c.b; }
 
+/// Where two corners are side by side, the one of the pair's second body presses [m].
+constexpr double tie = 1e-9;
+
 /// How far two bodies may close in a time step, from their present motion and what drives them [m].
 double reach_of(const FieldState& f, std::int32_t a, std::int32_t b) {
   const Bodies& s = f.bodies;
@@ -46,6 +49,16 @@ Surface CompliantContacts::surface_of(const FieldState& f, std::int32_t body) co
   return {f.outline(body), hidden};
 }
 
+/// A floe that is hit may close as fast on the next one, so a pair reaches as far as its floes' pairs do.
+void CompliantContacts::find_reach(const FieldState& f, Contacts contacts) {
+  approach_.assign(f.bodies.count(), 0.0);
+  for (const Contact* contact : contacts) {
+    const double reach = reach_of(f, contact->a, contact->b) + 2.0 * tie;
+    for (const std::int32_t i : {contact->a, contact->b})
+      if (f.bodies.kind[i] == BodyKind::floe) approach_[i] = larger(approach_[i], reach);
+  }
+}
+
 void CompliantContacts::find(const FieldState& f, Contacts contacts, const ThreadTeam& team, int rank) {
   std::vector<Found>& found = part_[rank].found;
   found.clear();
@@ -59,7 +72,7 @@ void CompliantContacts::find(const FieldState& f, Contacts contacts, const Threa
     };
     const Outline a = f.outline(contact.a), b = f.outline(contact.b);
     const Vec2 offset = f.bodies.position[contact.b] - f.bodies.position[contact.a], axis = contact.normal;
-    const double reach = reach_of(f, contact.a, contact.b);
+    const double reach = larger(approach_[contact.a], approach_[contact.b]);
     double top = -1e300, bottom = 1e300;  // of a and of b along the axis
     for (int k = 0; k < a.count; ++k) top = larger(top, dot(axis, a.corner[k]));
     for (int k = 0; k < b.count; ++k) bottom = smaller(bottom, dot(axis, offset + b.corner[k]));
@@ -124,19 +137,16 @@ void CompliantContacts::lay_out(const FieldState& f, Contacts contacts, int thre
 }
 
 /// What the corner remembers; its stiffness does not rise while it is loaded.
-void CompliantContacts::keep(SubPoint& point, std::uint64_t key, bool fresh) {
+void CompliantContacts::keep(SubPoint& point, std::uint64_t key) {
   const auto at = std::lower_bound(key_.begin(), key_.end(), key);
   if (at != key_.end() && *at == key) {
     point.memory = memory_[at - key_.begin()];
     point.overlaps = true;
     if (point.memory.normal > 0.0) point.law.stiffness = smaller(point.law.stiffness, point.memory.stiffness);
-  } else if (fresh) {
-    point.memory.crushed = point.depth;
   }
 }
 
-void CompliantContacts::fill(const FieldState& f, Contacts contacts, std::int64_t step, SubPair& pair,
-                             std::int32_t from) {
+void CompliantContacts::fill(const FieldState& f, Contacts contacts, SubPair& pair, std::int32_t from) {
   const Bodies& b = f.bodies;
   const Events& e = f.constants.events;
   const Contact& contact = *contacts[pair.contact];
@@ -163,7 +173,7 @@ void CompliantContacts::fill(const FieldState& f, Contacts contacts, std::int64_
     s.normal = s.surface.outline.normal[found.side];
     s.offset = dot(s.normal, s.surface.outline.corner[found.side]);
     const Vec2 arm_q = s.between + s.corner;
-    s.depth = s.offset - dot(s.normal, arm_q);
+    s.slack = found.of_b ? tie : -tie;
     const SubBody &of_p = body_[s.p], &of_q = body_[s.q];
     const CollisionMass mass_p = shared_mass({of_p.inverse_mass, of_p.inverse_inertia}, corners_[s.p]);
     const CollisionMass mass_q = shared_mass({of_q.inverse_mass, of_q.inverse_inertia}, corners_[s.q]);
@@ -175,7 +185,7 @@ void CompliantContacts::fill(const FieldState& f, Contacts contacts, std::int64_
     const std::int32_t owner = f.constants.owner_of(contact.a);
     const std::int32_t vertex = b.vertex_begin[p] - b.vertex_begin[found.of_b ? contact.b : owner] + found.corner;
     point_key_[k] = contact_key(owner, contact.b, 2 * vertex + (found.of_b ? 1 : 0));
-    keep(s, point_key_[k], step == 0 && s.depth > 0.0);
+    keep(s, point_key_[k]);
   }
 }
 
@@ -192,7 +202,7 @@ void CompliantContacts::sum_rows() {
   }
 }
 
-void CompliantContacts::begin(const FieldState& f, Contacts contacts, std::int64_t step, ThreadTeam& team, int rank) {
+void CompliantContacts::begin(const FieldState& f, Contacts contacts, ThreadTeam& team, int rank) {
   team.single(rank, [&] {
     part_.resize(std::max(part_.size(), static_cast<std::size_t>(team.size())));
     if (f.piece_corner.empty() || !hidden_side_.empty()) return;
@@ -200,11 +210,12 @@ void CompliantContacts::begin(const FieldState& f, Contacts contacts, std::int64
     no_corner_.resize(f.piece_corner.size());
     find_hidden(f, hidden_side_, no_corner_);
   });
+  team.single(rank, [&] { find_reach(f, contacts); });
   find(f, contacts, team, rank);
   team.barrier();
   team.single(rank, [&] { lay_out(f, contacts, team.size()); });
   team.for_each(rank, static_cast<std::int64_t>(pair_.size()),
-                [&](std::int64_t i) { fill(f, contacts, step, pair_[i], pair_[i].first); });
+                [&](std::int64_t i) { fill(f, contacts, pair_[i], pair_[i].first); });
   team.single(rank, [&] { sum_rows(); });
 }
 

@@ -22,7 +22,7 @@ class CompliantContacts {
   void set_up(std::int64_t substeps, const StepConstants& of_substep);
 
   // called by every thread of a team, in this order
-  void begin(const FieldState& f, Contacts contacts, std::int64_t step, ThreadTeam& team, int rank);
+  void begin(const FieldState& f, Contacts contacts, ThreadTeam& team, int rank);
   void run(FieldState& f, ThreadTeam& team, int rank);
   void finish(FieldState& f, Contacts contacts, ThreadTeam& team, int rank, StepQuality& quality, StepLog& log);
 
@@ -45,11 +45,12 @@ class CompliantContacts {
     std::vector<Found> found;
   };
 
+  void find_reach(const FieldState& f, Contacts contacts);
   void find(const FieldState& f, Contacts contacts, const ThreadTeam& team, int rank);
   void lay_out(const FieldState& f, Contacts contacts, int threads);
   std::int32_t enter(const FieldState& f, std::int32_t body);
-  void fill(const FieldState& f, Contacts contacts, std::int64_t step, SubPair& pair, std::int32_t from);
-  void keep(SubPoint& point, std::uint64_t key, bool fresh);
+  void fill(const FieldState& f, Contacts contacts, SubPair& pair, std::int32_t from);
+  void keep(SubPoint& point, std::uint64_t key);
   void sum_rows();
   void move_bodies(FieldState& f, const ThreadTeam& team, int rank);
   void move_platform(FieldState& f);
@@ -67,6 +68,7 @@ class CompliantContacts {
   std::vector<Vec2> velocity_before_;  // [m/s]
   std::vector<double> spin_before_;
 
+  std::vector<double> approach_;  // per body: how far its pairs reach [m]
   std::vector<Part> part_;
   std::vector<Found> found_;
   std::vector<SubPair> pair_;

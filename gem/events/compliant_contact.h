@@ -35,6 +35,7 @@
 #pragma once
 
 #include <cmath>
+#include <cstdint>
 
 #include "gem/base/choose.h"
 #include "gem/base/macros.h"
@@ -51,6 +52,7 @@ struct CornerMemory {
   double elastic = 0.0;  // e [m]
   double normal = 0.0;   // F [N]
   double side = 0.0;     // F_t [N]
+  std::int32_t pressed_side = -1;  // of the other outline
 };
 
 /// Spring, dashpot and friction of a corner.

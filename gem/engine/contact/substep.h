@@ -57,7 +57,8 @@ struct SubPoint {
   Surface surface;              // q at the start
   // of this substep
   double depth = 0.0, speed_n = 0.0, speed_t = 0.0, trial = 0.0;
-  Vec2 axis;                    // outward normal of the nearest side of q
+  std::int32_t side = -1;       // of q
+  Vec2 axis;                    // its outward normal
   Vec2 arm_p, arm_q;            // to the corner [m]
   Vec2 crossing[2];             // of the outlines, beside the corner, from p's centroid at the start [m]
   Vec2 impulse;                 // [N s]
@@ -116,6 +117,7 @@ GEM_HD inline bool touch(SubPoint& s, const SubBody& p, const SubBody& q) {
   const SideDistance nearest = pressed_side(s.surface, y, flank, s.slack);
   if (nearest.side < 0) return false;
   s.depth = -nearest.distance;
+  s.side = nearest.side;
   s.axis = turned_with(q, s.surface.outline.normal[nearest.side]);
   s.arm_p = arm_p;
   s.arm_q = arm_q;
@@ -191,11 +193,13 @@ GEM_HD inline void press(SubPoint& s, const SubBody& q, double force, bool crush
   s.most_elastic = larger(s.most_elastic, m.elastic);
 }
 
-/// Spring and dashpot of a corner. One that has entered has sprung by its motion of the last substep: the rest of its
-/// depth came from beside, or a contact was found late.
+/// Spring and dashpot of a corner. Where it has entered, or presses another side than before, its spring has changed by
+/// its motion of the last substep alone: the rest of its depth came from beside, or a contact was found late.
 GEM_HD inline double try_corner(SubPoint& s, double h) {
-  if (s.entered) s.memory.crushed = larger(0.0, s.depth + h * smaller(0.0, s.speed_n));
-  return corner_pressure(s.law, s.depth - s.memory.crushed, s.speed_n);
+  CornerMemory& m = s.memory;
+  if (s.side != m.pressed_side) m.crushed = larger(0.0, s.depth - (m.elastic + h * larger(0.0, -s.speed_n)));
+  m.pressed_side = s.side;
+  return corner_pressure(s.law, s.depth - m.crushed, s.speed_n);
 }
 
 /// An ongoing contact whose touching corner changes goes on: a corner that enters in the substep in which another corner

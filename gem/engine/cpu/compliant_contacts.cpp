@@ -136,13 +136,13 @@ void CompliantContacts::lay_out(const FieldState& f, Contacts contacts, int thre
   point_key_.resize(found_.size());
 }
 
-/// What the corner remembers; its stiffness does not rise while it is loaded.
+/// What the corner remembers; its stiffness does not rise while its spring is stretched, even if its dashpot holds it.
 void CompliantContacts::keep(SubPoint& point, std::uint64_t key) {
   const auto at = std::lower_bound(key_.begin(), key_.end(), key);
   if (at != key_.end() && *at == key) {
     point.memory = memory_[at - key_.begin()];
     point.overlaps = true;
-    if (point.memory.normal > 0.0) point.law.stiffness = smaller(point.law.stiffness, point.memory.stiffness);
+    if (point.memory.elastic > 0.0) point.law.stiffness = smaller(point.law.stiffness, point.memory.stiffness);
   }
 }
 

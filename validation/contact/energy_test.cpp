@@ -1,0 +1,116 @@
+// Hits create no energy, whatever the masses, levers and substeps.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "gem/base/random.h"
+#include "validation/contact/scenes.h"
+
+namespace gem::hits {
+namespace {
+
+/// A convex outline of 3 to 7 corners within `radius` [m].
+std::vector<Vec2> random_outline(RandomSequence& numbers, double radius) {
+  const int sides = 3 + static_cast<int>(numbers.below(5));
+  std::vector<Vec2> outline;
+  for (int k = 0; k < sides; ++k) {
+    const double angle = 2.0 * M_PI * (k + numbers.uniform(0.0, 0.7)) / sides;
+    outline.push_back({radius * std::cos(angle), radius * std::sin(angle)});
+  }
+  return outline;
+}
+
+/// Size ratio 1 to 100 and thickness ratio 1 to 100: masses differ by up to 1e6.
+FloeDef random_floe(RandomSequence& numbers) {
+  const double radius = 5.0 * std::pow(10.0, -2.0 * numbers.uniform());
+  FloeDef floe = floe_of(random_outline(numbers, radius), {});
+  if (numbers.below(4) == 0)
+    floe.outline_m = turned_by(rectangle(2.0 * radius, 0.2 * radius), numbers.uniform(0.0, 6.0));
+  floe.thickness_m = 2.0 * std::pow(10.0, -2.0 * numbers.uniform());
+  floe.velocity_m_per_s = {numbers.uniform(-1.0, 1.0), numbers.uniform(-1.0, 1.0)};
+  floe.spin_rad_per_s = numbers.uniform(-1.0, 1.0) * std::min(0.5, 0.5 / radius);
+  return floe;
+}
+
+double radius_of(const FloeDef& floe) {
+  double radius = 0.0;
+  for (const Vec2 corner : floe.outline_m) radius = std::max(radius, length(corner));
+  return radius;
+}
+
+/// Two to four floes on a line with little room between, the outer ones closing; sometimes with a wall behind.
+SceneDef random_chain(RandomSequence& numbers, int most) {
+  SceneDef scene = open_scene();
+  scene.ice.friction_ice = numbers.below(3) ? numbers.uniform() : 0.0;
+  scene.contact.crushing_limit = numbers.below(3) > 0;
+  scene.contact.damping_ratio = numbers.uniform(0.1, 1.0);
+  scene.numerics.time_step_s = numbers.below(2) ? 0.1 : 0.02;
+  scene.numerics.substeps = 1 + static_cast<std::int64_t>(numbers.below(32));
+  const int count = 2 + static_cast<int>(numbers.below(static_cast<std::size_t>(most - 1)));
+  double edge = 0.0;
+  for (int k = 0; k < count; ++k) {
+    FloeDef floe = random_floe(numbers);
+    const double radius = radius_of(floe);
+    floe.position_m = {edge - radius - 1e-3 - 0.05 * numbers.uniform(), 0.3 * radius * numbers.uniform(-1.0, 1.0)};
+    floe.velocity_m_per_s.x = k == count - 1 ? numbers.uniform(0.2, 1.0) : k == 0 ? numbers.uniform(-1.0, 0.1) : 0.0;
+    edge = floe.position_m.x - radius;
+    scene.floe.push_back(floe);
+  }
+  if (numbers.below(2)) scene.fixed = {wall_body()};
+  return scene;
+}
+
+/// Largest kinetic energy of a run over that of its start.
+double largest_gain(const SceneDef& scene, double time) {
+  Trial run(scene);
+  run.log.wants_events = false;
+  const double start = kinetic(run.bodies());
+  double most = 0.0;
+  for (double t = 0.0; t < time; t += scene.numerics.time_step_s) {
+    run.advance();
+    most = std::max(most, kinetic(run.bodies()) / start - 1.0);
+  }
+  return most;
+}
+
+/// Number of chains of up to `most` floes that gain energy.
+int gains(int hits, int most, std::uint64_t seed) {
+  RandomSequence numbers(Random(seed, 1));
+  int gained = 0;
+  double worst = 0.0;
+  for (int k = 0; k < hits; ++k) {
+    const double gain = largest_gain(random_chain(numbers, most), 3.0);
+    worst = std::max(worst, gain);
+    gained += gain > 1e-9;
+  }
+  EXPECT_LE(worst, 1e-9) << "largest gain, of the energy before";
+  return gained;
+}
+
+TEST(ContactEnergy, single_hits_gain_none) { EXPECT_EQ(gains(500, 2, 3), 0); }
+TEST(ContactEnergy, short_chains_gain_none) { EXPECT_EQ(gains(300, 4, 4), 0); }
+TEST(LongContactEnergy, single_hits_gain_none) { EXPECT_EQ(gains(100000, 2, 5), 0); }
+TEST(LongContactEnergy, short_chains_gain_none) { EXPECT_EQ(gains(20000, 4, 6), 0); }
+
+/// Floes of 10 m in a row with 2 mm between; the first hits the rest, which are reached within one time step.
+TEST(ContactEnergy, hits_that_follow_within_a_time_step_are_found) {
+  SceneDef scene = open_scene();
+  for (int k = 0; k < 4; ++k) scene.floe.push_back(floe_of(rectangle(10.0, 10.0), {-10.002 * k, 0.0}));
+  scene.floe.back().velocity_m_per_s = {1.0, 0.0};
+  Trial run(scene);
+  const double start = kinetic(run.bodies());
+  double most = 0.0;
+  for (int k = 0; k < 50; ++k) {
+    run.advance();
+    most = std::max(most, kinetic(run.bodies()) / start - 1.0);
+  }
+  EXPECT_LE(most, 1e-9);
+  // as springs allow: v sqrt(K m_e) / K, and what a substep adds
+  double deepest = 0.0;
+  for (const StepQuality& quality : run.log.quality) deepest = std::max(deepest, quality.maximum_overlap);
+  EXPECT_LT(deepest, 12e-3);
+}
+
+}  // namespace
+}  // namespace gem::hits

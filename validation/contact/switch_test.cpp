@@ -1,0 +1,83 @@
+// The touching corner changes: along the floe, and from the floe to the wall.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "validation/contact/scenes.h"
+
+namespace gem::hits {
+namespace {
+
+/// Largest change of the force on the wall in a substep, over the largest force, between two times; and that force.
+struct Jump {
+  double share = 0.0, largest = 0.0, time = 0.0;
+};
+Jump largest_jump(SceneDef scene, double from, double to) {
+  scene.numerics.substeps = 1;
+  Trial run(scene);
+  run.log.wants_events = false;
+  const double h = scene.numerics.time_step_s;
+  run.advance_for(scene, from);
+  double change = 0.0;
+  Jump jump;
+  Vec2 last = run.log.platform.back().ice_impulse;
+  for (double time = from; time < to; time += h) {
+    run.log.clear();
+    run.advance();
+    const Vec2 now = run.log.platform.back().ice_impulse;
+    jump.largest = std::max(jump.largest, length(now) / h);
+    if (length(now - last) / h > change) {
+      change = length(now - last) / h;
+      jump.time = time;
+    }
+    last = now;
+  }
+  jump.share = change / jump.largest;
+  return jump;
+}
+
+constexpr double wall_top = 20.0;
+
+/// The current presses a square with its face on the wall; its corner passes the end of the wall after 20 s.
+Jump face_slides_off() {
+  SceneDef scene = open_scene();
+  scene.water = {};
+  scene.current.velocity_m_per_s = {0.5, 0.2};
+  add_wall(scene, wall_top);
+  scene.floe = {floe_of(rectangle(10.0, 10.0), {-5.0 - 1e-5, wall_top - 5.0 - 0.2 * 20.0}, {0.0, 0.2})};
+  scene.numerics.time_step_s = 1e-3;
+  return largest_jump(scene, 19.0, 21.0);
+}
+
+/// A corner that crushes on the wall passes its end `late` after it touched [s]. `turn` of a square, 45: tip first.
+Jump tip_slides_off(double turn, double late) {
+  constexpr double along = 1.0;
+  SceneDef scene = open_scene();
+  add_wall(scene, wall_top);
+  const std::vector<Vec2> outline = turned_by(rectangle(10.0, 10.0), turn * M_PI / 180.0);
+  Vec2 tip = outline[0];
+  for (const Vec2 corner : outline)
+    if (corner.x > tip.x) tip = corner;
+  scene.floe = {floe_of(outline, {-tip.x - 0.01, wall_top - tip.y - along * (late + 0.02)}, {0.5, along})};
+  scene.numerics.time_step_s = 5e-4;
+  return largest_jump(scene, 5e-4, 0.4);
+}
+
+TEST(ContactSwitch, face_that_slides_off_a_wall_does_not_jump) {
+  const Jump jump = face_slides_off();
+  EXPECT_GT(jump.largest, 100.0);
+  EXPECT_LT(jump.share, 0.05) << "at " << jump.time << " s";
+}
+
+TEST(ContactSwitch, tip_that_slides_off_a_wall_does_not_jump) {
+  for (const double turn : {45.0, 30.0, 10.0})
+    for (const double late : {0.02, 0.05, 0.1, 0.15}) {
+      const Jump jump = tip_slides_off(turn, late);
+      EXPECT_GT(jump.largest, 50e3);
+      EXPECT_LT(jump.share, 0.05) << turn << " degrees, " << late << " s, at " << jump.time << " s of " << jump.largest;
+    }
+}
+
+}  // namespace
+}  // namespace gem::hits

@@ -93,6 +93,55 @@ TEST(ContactEnergy, short_chains_gain_none) { EXPECT_EQ(gains(300, 4, 4), 0); }
 TEST(LongContactEnergy, single_hits_gain_none) { EXPECT_EQ(gains(100000, 2, 5), 0); }
 TEST(LongContactEnergy, short_chains_gain_none) { EXPECT_EQ(gains(20000, 4, 6), 0); }
 
+/// A floe with twelve sides among twelve slivers and twelve triangles that close on it, before a wall.
+SceneDef dense_scene(RandomSequence& numbers) {
+  SceneDef scene = open_scene();
+  scene.ice.friction_ice = numbers.uniform();
+  if (numbers.below(2)) {
+    scene.water = {};
+    scene.current.velocity_m_per_s = {numbers.uniform(0.2, 1.0), 0.0};
+  }
+  if (numbers.below(2)) scene.numerics.substeps = 4 + static_cast<std::int64_t>(numbers.below(60));
+  if (numbers.below(2)) scene.fixed = {{{{4.5, -20.0}, {9.0, -20.0}, {9.0, 20.0}, {4.5, 20.0}}}};
+  scene.floe.push_back(floe_of(regular(12, 2.0), {}, {}, numbers.uniform(-0.2, 0.2)));
+  const auto around = [&](double radius, int k, std::vector<Vec2> outline) {
+    const double angle = 2.0 * M_PI * (k + 0.5) / 12.0;
+    const Vec2 out{std::cos(angle), std::sin(angle)};
+    FloeDef floe =
+        floe_of(turned_by(outline, angle), radius * out, -numbers.uniform(0.1, 1.0) * out, numbers.uniform(-0.3, 0.3));
+    floe.thickness_m = std::pow(10.0, -2.0 * numbers.uniform());
+    scene.floe.push_back(floe);
+  };
+  for (int k = 0; k < 12; ++k) around(2.25, k, rectangle(0.04 + 0.1 * numbers.uniform(), 0.9));
+  for (int k = 0; k < 12; ++k) around(3.2, k, regular(3, 0.6));
+  return scene;
+}
+
+/// Largest energy that the contacts of dense scenes give, over the energy at the start and the work of the loads.
+double dense_gain(int scenes, std::uint64_t seed) {
+  RandomSequence numbers(Random(seed, 1));
+  double worst = -1.0;
+  for (int k = 0; k < scenes; ++k) {
+    const SceneDef scene = dense_scene(numbers);
+    Trial run(scene);
+    run.log.wants_events = false;
+    const double start = kinetic(run.bodies());
+    double gain = -1.0;
+    for (int step = 0; step < 100; ++step) {
+      run.advance();
+      const Ledger ledger = run.engine->ledger();
+      const double given = start + std::max(0.0, ledger[Channel::drag].energy);
+      gain = std::max(gain, (ledger.contact.work + ledger.contact.stored) / given);
+    }
+    EXPECT_LE(gain, 0.01) << "scene " << k;
+    worst = std::max(worst, gain);
+  }
+  return worst;
+}
+
+TEST(ContactEnergy, dense_scenes_gain_none) { EXPECT_LE(dense_gain(30, 7), 0.01); }
+TEST(LongContactEnergy, dense_scenes_gain_none) { EXPECT_LE(dense_gain(1000, 8), 0.01); }
+
 /// Floes of 10 m in a row with 2 mm between; the first hits the rest, which are reached within one time step.
 TEST(ContactEnergy, hits_that_follow_within_a_time_step_are_found) {
   SceneDef scene = open_scene();

@@ -142,23 +142,32 @@ double dense_gain(int scenes, std::uint64_t seed) {
 TEST(ContactEnergy, dense_scenes_gain_none) { EXPECT_LE(dense_gain(30, 7), 0.01); }
 TEST(LongContactEnergy, dense_scenes_gain_none) { EXPECT_LE(dense_gain(1000, 8), 0.01); }
 
-/// Floes of 10 m in a row with 2 mm between; the first hits the rest, which are reached within one time step.
-TEST(ContactEnergy, hits_that_follow_within_a_time_step_are_found) {
+/// Floes of 10 m in a row with 2 mm between; the first hits the rest, which are reached within one time step. Every
+/// other one is `aside` [m]; 0: their corners are exactly in line.
+void expect_row_is_hit(double aside) {
   SceneDef scene = open_scene();
-  for (int k = 0; k < 4; ++k) scene.floe.push_back(floe_of(rectangle(10.0, 10.0), {-10.002 * k, 0.0}));
+  for (int k = 0; k < 4; ++k) scene.floe.push_back(floe_of(rectangle(10.0, 10.0), {-10.002 * k, aside * (k % 2)}));
   scene.floe.back().velocity_m_per_s = {1.0, 0.0};
   Trial run(scene);
   const double start = kinetic(run.bodies());
-  double most = 0.0;
+  double most = 0.0, deepest = 0.0;
   for (int k = 0; k < 50; ++k) {
     run.advance();
     most = std::max(most, kinetic(run.bodies()) / start - 1.0);
+    deepest = std::max(deepest, run.log.quality.back().maximum_overlap);
   }
   EXPECT_LE(most, 1e-9);
-  // as springs allow: v sqrt(K m_e) / K, and what a substep adds
-  double deepest = 0.0;
-  for (const StepQuality& quality : run.log.quality) deepest = std::max(deepest, quality.maximum_overlap);
+  EXPECT_GT(run.bodies().velocity[first_floe(run.bodies())].x, 0.3) << "the hit goes through the row";
+  // v sqrt(K m) / K is 10 mm for the first pair
+  EXPECT_GT(deepest, 5e-3);
   EXPECT_LT(deepest, 12e-3);
+}
+
+TEST(ContactEnergy, hits_that_follow_within_a_time_step_are_found) {
+  for (const double aside : {0.0, 1e-12, 1e-10, 1e-9, 1e-8, 1e-6, 1e-3, 0.1, 5.0}) {
+    SCOPED_TRACE(aside);
+    expect_row_is_hit(aside);
+  }
 }
 
 }  // namespace

@@ -70,6 +70,35 @@ TEST(ContactSwitch, face_that_slides_off_a_wall_does_not_jump) {
   EXPECT_LT(jump.share, 0.05) << "at " << jump.time << " s";
 }
 
+/// A corner that crushes on a wall while it slides along it, over the joint of two pieces or on one. Returns the force
+/// in every substep [N].
+std::vector<double> along_a_wall(bool pieces, std::int64_t substeps) {
+  SceneDef scene = open_scene();
+  add_wall(scene, 30.0);
+  if (pieces) {
+    scene.platform.outline = PlatformOutline::pieces;
+    scene.platform.outline_m.clear();
+    scene.platform.piece = {{{{0.0, -30.0}, {20.0, -30.0}, {20.0, 0.0}, {0.0, 0.0}}},
+                            {{{0.0, 0.0}, {20.0, 0.0}, {20.0, 30.0}, {0.0, 30.0}}}};
+  }
+  scene.floe = {floe_of(rhombus(10.0, 0.5 * M_PI), {-10.0 * std::sqrt(0.5) - 0.01, -0.1}, {0.5, 1.0})};
+  step_by(scene, 5e-4, substeps);
+  Trial run(scene);
+  run.advance_for(scene, 0.3);
+  return push_of(run.log, scene.numerics.time_step_s);
+}
+
+TEST(ContactSwitch, corner_that_slides_over_the_joint_of_two_pieces_feels_one_wall) {
+  for (const std::int64_t substeps : {1, 20}) {
+    const std::vector<double> whole = along_a_wall(false, substeps), parts = along_a_wall(true, substeps);
+    const double largest = *std::max_element(whole.begin(), whole.end());
+    double worst = 0.0;
+    for (std::size_t k = 0; k < whole.size(); ++k) worst = std::max(worst, std::fabs(whole[k] - parts[k]));
+    EXPECT_GT(largest, 3e5);
+    EXPECT_LT(worst, 0.05 * largest) << substeps;
+  }
+}
+
 /// Largest jump of tips with several turns that pass the end of the wall at several times.
 Jump worst_tip() {
   Jump worst;

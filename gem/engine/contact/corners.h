@@ -68,10 +68,12 @@ struct Exits {
   double share[2] = {1.0, 1.0};
 };
 
-/// `flank`: from the corner to its two neighbours [m].
-GEM_HD inline Exits exits(const Outline& o, Vec2 y, const Vec2 flank[2]) {
+/// `flank`: from the corner to its two neighbours [m]. They leave through visible sides only.
+GEM_HD inline Exits exits(const Surface& s, Vec2 y, const Vec2 flank[2]) {
+  const Outline& o = s.outline;
   Exits e;
   for (int j = 0; j < o.count; ++j) {
+    if (!s.shows(j)) continue;
     const Vec2 normal = o.normal[j];
     const double room = dot(normal, o.corner[j] - y);
     for (int k = 0; k < 2; ++k) {

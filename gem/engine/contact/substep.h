@@ -74,10 +74,10 @@ struct SubPoint {
   ContactWork work;
 };
 
-/// Two bodies and the corners that one of them may have in the other.
+/// Two bodies, of several pieces maybe, and the corners that one of them may have in the other.
 struct SubPair {
   std::int32_t first = 0, count = 0;  // its points
-  std::int32_t contact = 0;           // among the contacts of the time step
+  std::int32_t contact = 0;           // among the contacts of the time step: of the first piece
   double bound = 0.0;                 // P0 h^(1+ex): crushing force on a chord of 1 m [N]; < 0: no ice
   double exponent = 1.0;              // 1 + ex
   // largest normal force in a substep of this time step, and the chord and depth then
@@ -131,7 +131,7 @@ GEM_HD inline bool touch(SubPoint& s, const SubBody& p, const SubBody& q) {
 GEM_HD inline void find_crossings(SubPoint& s, const SubBody& p, const SubBody& q) {
   const Vec2 world[2] = {turned_with(p, s.flank[0]), turned_with(p, s.flank[1])};
   const Vec2 flank[2] = {in_axes_of(q, world[0]), in_axes_of(q, world[1])};
-  const Exits e = exits(s.surface.outline, in_axes_of(q, s.arm_q), flank);
+  const Exits e = exits(s.surface, in_axes_of(q, s.arm_q), flank);
   for (int k = 0; k < 2; ++k) s.crossing[k] = p.shift + s.arm_p + e.share[k] * world[k];
 }
 

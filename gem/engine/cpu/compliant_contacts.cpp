@@ -116,16 +116,23 @@ void CompliantContacts::lay_out(const FieldState& f, Contacts contacts, int thre
   body_.clear();
   body_id_.clear();
   corners_.clear();
-  for (int r = 0; r < threads; ++r)
-    for (const Found& one : part_[r].found) {
-      if (pair_.empty() || pair_.back().contact != one.contact) {
-        pair_.push_back({});
-        pair_.back().first = static_cast<std::int32_t>(found_.size());
-        pair_.back().contact = one.contact;
-      }
-      ++pair_.back().count;
-      found_.push_back(one);
+  for (int r = 0; r < threads; ++r) found_.insert(found_.end(), part_[r].found.begin(), part_[r].found.end());
+  const auto bodies_of = [&](const Found& one) {
+    const Contact& contact = *contacts[one.contact];
+    return std::pair(f.constants.owner_of(contact.a), contact.b);
+  };
+  // what a body has with several pieces of the platform is one contact
+  if (f.constants.pieces > 1)
+    std::stable_sort(found_.begin(), found_.end(),
+                     [&](const Found& a, const Found& b) { return bodies_of(a) < bodies_of(b); });
+  for (std::size_t k = 0; k < found_.size(); ++k) {
+    if (k == 0 || bodies_of(found_[k]) != bodies_of(found_[k - 1])) {
+      pair_.push_back({});
+      pair_.back().first = static_cast<std::int32_t>(k);
+      pair_.back().contact = found_[k].contact;
     }
+    ++pair_.back().count;
+  }
   platform_ = f.constants.events.platform_present ? enter(f, 0) : -1;
   for (const SubPair& pair : pair_) {
     const Contact& contact = *contacts[pair.contact];
@@ -159,9 +166,10 @@ void CompliantContacts::fill(const FieldState& f, Contacts contacts, SubPair& pa
   const double inverse_mass = b.inverse_mass[contact.a] + b.inverse_mass[contact.b];
   for (std::int32_t k = from; k < from + pair.count; ++k) {
     const Found& found = found_[k];
+    const Contact& of_piece = *contacts[found.contact];
     SubPoint& s = point_[k];
     s = {};
-    const std::int32_t p = body_p(contact, found.of_b), q = body_q(contact, found.of_b);
+    const std::int32_t p = body_p(of_piece, found.of_b), q = body_q(of_piece, found.of_b);
     s.p = entry_of_[f.constants.owner_of(p)];
     s.q = entry_of_[f.constants.owner_of(q)];
     const Outline own = f.outline(p);
@@ -182,9 +190,7 @@ void CompliantContacts::fill(const FieldState& f, Contacts contacts, SubPair& pa
     s.law = stable_law({stiffness, corner_damping(e.contact, stiffness, inverse_mass),
                         friction_of_pair(e, f.constants.is_platform(contact.a))},
                        h_, larger(compliance.nn, compliance.tt));
-    const std::int32_t owner = f.constants.owner_of(contact.a);
-    const std::int32_t vertex = b.vertex_begin[p] - b.vertex_begin[found.of_b ? contact.b : owner] + found.corner;
-    point_key_[k] = contact_key(owner, contact.b, 2 * vertex + (found.of_b ? 1 : 0));
+    point_key_[k] = contact_key(of_piece.a, of_piece.b, 2 * found.corner + (found.of_b ? 1 : 0));
     keep(s, point_key_[k]);
   }
 }
@@ -389,7 +395,6 @@ void CompliantContacts::remember() {
     if (point_[k].overlaps) order.emplace_back(point_key_[k], static_cast<std::int32_t>(k));
   std::sort(order.begin(), order.end());
   for (const auto& [key, k] : order) {
-    if (!key_.empty() && key_.back() == key) continue;  // two pieces of the platform have the same corner
     key_.push_back(key);
     memory_.push_back(point_[k].memory);
   }

@@ -293,10 +293,16 @@ GEM_HD inline void push(SubBody& b, Vec2 impulse, double twist) {
   if (b.inverse_inertia > 0.0) b.contact_work += 0.5 * twist * (spin + b.spin);
 }
 
-/// Sets the turn of a body. The polynomials are exact to 1e-10 up to 0.2 rad.
+/// Sets the turn of a body. The polynomials are exact to 1e-10 up to 0.2 rad; a small floe may be struck into a faster spin.
 GEM_HD inline void set_turn(SubBody& b, double turn) {
-  const double t2 = turn * turn;
   b.turn = turn;
+  if (magnitude(turn) > 0.2) {
+    const Rotation q = strict::rotation_of_angle(turn);
+    b.cosine = q.cosine;
+    b.sine = q.sine;
+    return;
+  }
+  const double t2 = turn * turn;
   b.cosine = 1.0 - t2 * (1.0 / 2.0 - t2 * (1.0 / 24.0 - t2 * (1.0 / 720.0)));
   b.sine = turn * (1.0 - t2 * (1.0 / 6.0 - t2 * (1.0 / 120.0 - t2 * (1.0 / 5040.0))));
 }

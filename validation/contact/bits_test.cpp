@@ -174,5 +174,21 @@ TEST(ContactBooks, left_falls_with_the_substep) {
   EXPECT_LT(fine, coarse / 4.0);
 }
 
+TEST(ContactBooks, a_thin_row_at_rest_leaves_nothing) {
+  SceneDef scene = open_scene();
+  scene.water = {};
+  scene.current.velocity_m_per_s = {0.5, 0.0};
+  scene.fixed = {wall_body()};
+  for (int k = 0; k < 4; ++k) scene.floe.push_back(floe_of(rectangle(10.0, 10.0), {-5.0 - 10.0001 * k, 0.1 * (k % 2)}));
+  for (FloeDef& floe : scene.floe) floe.thickness_m = 0.02;
+  Trial run(scene);
+  run.log.wants_events = false;
+  run.advance_for(scene, 60.0);
+  const ContactEnergy before = run.engine->ledger().contact;
+  run.advance_for(scene, 240.0);
+  const ContactEnergy after = run.engine->ledger().contact;
+  EXPECT_LT(std::fabs(after.left() - before.left()), 0.01 * (after.stored + after.damped));
+}
+
 }  // namespace
 }  // namespace gem::hits

@@ -282,9 +282,8 @@ GEM_HD inline void press_pair(SubPair& pair, SubPoint* all, const SubBody* bodie
   }
 }
 
-/// Velocity after the impulses of the contacts.
+/// Velocity of the platform after the impulses of the contacts; its other loads follow.
 GEM_HD inline void push(SubBody& b, Vec2 impulse, double twist) {
-  b.pressed = true;
   const Vec2 velocity = b.velocity;
   const double spin = b.spin;
   b.velocity += b.inverse_mass * impulse;
@@ -307,13 +306,19 @@ GEM_HD inline void set_turn(SubBody& b, double turn) {
   b.sine = turn * (1.0 - t2 * (1.0 / 6.0 - t2 * (1.0 / 120.0 - t2 * (1.0 / 5040.0))));
 }
 
-/// A floe's other loads and its motion over a substep.
-GEM_HD inline void move(SubBody& b, double h) {
+/// Impulses of the contacts on a floe, its other loads and its motion over a substep. All work with the mean velocity of
+/// the substep: one after the other they would seem to give and take energy where a floe rests.
+GEM_HD inline void move(SubBody& b, Vec2 impulse, double twist, double h) {
   const Vec2 velocity = b.velocity;
   const double spin = b.spin;
+  b.velocity += b.inverse_mass * impulse;
   b.velocity += b.kick;
+  b.spin += b.inverse_inertia * twist;
   b.spin += b.kick_spin;
-  b.kick_work += 0.5 * b.mass * dot(b.kick, velocity + b.velocity) + 0.5 * b.inertia * b.kick_spin * (spin + b.spin);
+  const Vec2 mean = 0.5 * (velocity + b.velocity);
+  const double mean_spin = 0.5 * (spin + b.spin);
+  b.contact_work += dot(impulse, mean) + twist * mean_spin;
+  b.kick_work += b.mass * dot(b.kick, mean) + b.inertia * b.kick_spin * mean_spin;
   b.shift_sum += b.shift;
   b.shift += h * b.velocity;
   set_turn(b, b.turn + h * b.spin);

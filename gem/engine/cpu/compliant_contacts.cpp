@@ -255,16 +255,14 @@ void CompliantContacts::move_bodies(FieldState& f, const ThreadTeam& team, int r
     if (!(b.inverse_mass > 0.0)) continue;
     Vec2 impulse;
     double twist = 0.0;
-    bool pushed = false;
     for (std::int32_t r = row_begin_[i]; r < row_begin_[i + 1]; ++r) {
       const SubPoint& s = point_[row_[r] / 2];
       if (!s.overlaps) continue;
       impulse += row_[r] % 2 ? -s.impulse : s.impulse;
       twist += row_[r] % 2 ? s.twist_q : s.twist_p;
-      pushed = true;
+      b.pressed = true;
     }
-    if (pushed) push(b, impulse, twist);
-    move(b, h_);
+    move(b, impulse, twist, h_);
   }
 }
 

@@ -170,5 +170,34 @@ TEST(ContactEnergy, hits_that_follow_within_a_time_step_are_found) {
   }
 }
 
+/// A platform of 1e8 kg squeezes a floe of 2 m on a wall: a corner of the platform lies deep in its face, and the
+/// floe's corners between two sides of the platform.
+TEST(ContactEnergy, squeezed_floe_gives_no_more_than_its_spring_held) {
+  SceneDef scene = open_scene();
+  scene.ice.friction_ice = 0.35;
+  scene.ice.friction_structure = 0.1;
+  scene.platform.present = true;
+  scene.platform.anchor_m = {-52.1, 0.0};
+  scene.platform.start_velocity_m_per_s = {0.1, 0.0};
+  scene.mooring.stiffness_N_per_m = 0.0;
+  scene.numerics.time_step_s = 0.05;
+  scene.fixed = {wall_body()};
+  scene.floe = {floe_of(rectangle(2.0, 2.0), {-1.0, 0.0})};
+  scene.floe[0].thickness_m = 0.5;
+  Trial run(scene);
+  run.log.wants_events = false;
+  const auto energy = [&] { return run.engine->ledger().now.energy; };
+  const double start = energy();
+  double least = start, held = 0.0;
+  for (int k = 0; k < 400; ++k) {
+    run.advance();
+    const ContactEnergy books = run.engine->ledger().contact;
+    EXPECT_LT(std::fabs(books.left()), 1e-3 * start) << k;
+    if (energy() < least) least = energy(), held = books.stored;
+  }
+  EXPECT_LT(least, 0.01 * start);
+  EXPECT_LT(energy(), least + 1.01 * held);
+}
+
 }  // namespace
 }  // namespace gem::hits

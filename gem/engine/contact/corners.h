@@ -38,13 +38,22 @@ GEM_HD inline SideDistance outermost_side(const Surface& s, Vec2 y) {
   return best;
 }
 
-/// The visible side of the outline that a corner at `y` presses, of which the corner's body must be moved out least as
-/// far as its own sides beside the corner tell: a corner beside the end of a side does not press on the next one.
-/// `flank`: from the corner to its neighbours; `slack`: the corner counts as inside the other sides up to this distance
-/// [m]. side < 0: it is not inside.
+/// Whether one of the corner's own sides goes into the outline steeper than 30 degrees behind a side with this normal:
+/// the corner came past the end of that side, not through it.
+GEM_HD inline bool goes_deeper(const Vec2 flank[2], Vec2 normal) {
+  constexpr double steep = 0.25;  // sine of the angle, squared
+  for (int k = 0; k < 2; ++k) {
+    const double fall = -dot(normal, flank[k]);
+    if (fall > 0.0 && fall * fall > steep * dot(flank[k], flank[k])) return true;
+  }
+  return false;
+}
+
+/// The visible side of the outline that a corner at `y` presses: the nearest through which it may have come, else the
+/// nearest. `flank`: from the corner to its neighbours; `slack`: the corner counts as inside the other sides up to this
+/// distance [m]. side < 0: it is not inside.
 GEM_HD inline SideDistance pressed_side(const Surface& s, Vec2 y, const Vec2 flank[2], double slack) {
-  SideDistance best{-1, 0.0};
-  double least = 1e300;
+  SideDistance best{-1, -1e300}, nearest{-1, -1e300};
   int outside = -1;
   for (int j = 0; j < s.outline.count; ++j) {
     const Vec2 normal = s.outline.normal[j];
@@ -53,12 +62,11 @@ GEM_HD inline SideDistance pressed_side(const Surface& s, Vec2 y, const Vec2 fla
       if (outside >= 0) return {};
       outside = j;
     }
-    const double beyond = larger(0.0, larger(-dot(normal, flank[0]), -dot(normal, flank[1])));
-    if (beyond - distance < least && s.shows(j)) {
-      least = beyond - distance;
-      best = {j, distance};
-    }
+    if (!s.shows(j)) continue;
+    if (distance > nearest.distance) nearest = {j, distance};
+    if (distance > best.distance && !goes_deeper(flank, normal)) best = {j, distance};
   }
+  if (best.side < 0) best = nearest;
   if (!(best.distance < 0.0) || (outside >= 0 && outside != best.side)) return {};
   return best;
 }

@@ -197,7 +197,7 @@ GEM_HD inline void press(SubPoint& s, const SubBody& q, double force, bool crush
 /// its motion of the last substep alone: the rest of its depth came from beside, or a contact was found late.
 GEM_HD inline double try_corner(SubPoint& s, double h) {
   CornerMemory& m = s.memory;
-  if (s.side != m.pressed_side) m.crushed = larger(0.0, s.depth - (m.elastic + h * larger(0.0, -s.speed_n)));
+  if (s.side != m.pressed_side) m.crushed = larger(0.0, s.depth - larger(0.0, m.elastic - h * s.speed_n));
   m.pressed_side = s.side;
   return corner_pressure(s.law, s.depth - m.crushed, s.speed_n);
 }

@@ -93,6 +93,38 @@ TEST(ContactEnergy, short_chains_gain_none) { EXPECT_EQ(gains(300, 4, 4), 0); }
 TEST(LongContactEnergy, single_hits_gain_none) { EXPECT_EQ(gains(100000, 2, 5), 0); }
 TEST(LongContactEnergy, short_chains_gain_none) { EXPECT_EQ(gains(20000, 4, 6), 0); }
 
+/// One to four floes thrown into a notch of three pieces.
+SceneDef random_notch(RandomSequence& numbers) {
+  SceneDef scene = random_chain(numbers, 4);
+  scene.fixed.clear();
+  scene.ice.friction_structure = numbers.uniform();
+  scene.platform.present = true;
+  scene.platform.fixed = true;
+  scene.platform.outline = PlatformOutline::pieces;
+  const double tilt = numbers.uniform(-1.5, 1.5);
+  scene.platform.piece = {{{{0.0, -8.0}, {4.0, -8.0}, {4.0, 8.0}, {0.0, 8.0}}},
+                          {{{-8.0, 4.0}, {0.0, 4.0 + tilt}, {0.0, 8.0}, {-8.0, 8.0}}},
+                          {{{-8.0, -8.0}, {0.0, -8.0}, {0.0, -4.0 - tilt}, {-8.0, -4.0}}}};
+  double edge = -9.0;
+  for (FloeDef& floe : scene.floe) {
+    const double radius = radius_of(floe);
+    floe.position_m = {edge - radius, numbers.uniform(-2.0, 2.0)};
+    floe.velocity_m_per_s = {numbers.uniform(0.5, 1.5), numbers.uniform(-0.5, 0.5)};
+    edge -= 2.0 * radius + 0.02;
+  }
+  return scene;
+}
+
+int notch_gains(int scenes, std::uint64_t seed) {
+  RandomSequence numbers(Random(seed, 1));
+  int gained = 0;
+  for (int k = 0; k < scenes; ++k) gained += largest_gain(random_notch(numbers), 12.0) > 1e-9;
+  return gained;
+}
+
+TEST(ContactEnergy, floes_in_a_notch_gain_none) { EXPECT_EQ(notch_gains(200, 9), 0); }
+TEST(LongContactEnergy, floes_in_a_notch_gain_none) { EXPECT_EQ(notch_gains(10000, 10), 0); }
+
 /// A floe with twelve sides among twelve slivers and twelve triangles that close on it, before a wall.
 SceneDef dense_scene(RandomSequence& numbers) {
   SceneDef scene = open_scene();

@@ -119,6 +119,17 @@ Mover passing(const Obstacle& obstacle, RandomSequence& numbers, double clearanc
 
 FloeDef floe_of(const Mover& mover) { return hits::floe_of(mover.outline, mover.from, mover.velocity, mover.spin); }
 
+Vec2 centroid_of(const Outline2& outline) {
+  double area = 0.0;
+  Vec2 sum;
+  for (std::size_t i = 0; i < outline.size(); ++i) {
+    const Vec2 a = outline[i], b = outline[(i + 1) % outline.size()];
+    area += 0.5 * cross(a, b);
+    sum += (cross(a, b) / 6.0) * (a + b);
+  }
+  return (1.0 / area) * sum;
+}
+
 enum class Kind { platform, fixed, floe };
 
 SceneDef scene_of(const Mover& floe, const Obstacle& obstacle, Kind kind) {
@@ -130,6 +141,7 @@ SceneDef scene_of(const Mover& floe, const Obstacle& obstacle, Kind kind) {
     scene.platform.present = true;
     scene.platform.outline = PlatformOutline::listed;
     scene.platform.outline_m = obstacle.outline;
+    scene.platform.anchor_m = centroid_of(obstacle.outline);
   }
   return scene;
 }

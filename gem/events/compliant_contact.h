@@ -26,8 +26,9 @@
 //
 // The rules keep it from creating energy: k does not depend on how many corners touch; spring and dashpot together, not
 // the spring alone, meet Coulomb's limit; the stretch is held within mu F / k; B is that of the present overlap, of
-// corners and of faces alike; k does not rise while a corner is loaded (stability_limit() is of the scene, not of the
-// ice, and may change).
+// corners and of faces alike; k does not rise while the spring of a corner is stretched (the stability limit is of the
+// scene, not of the ice, and may change); where a corner comes in from beside or presses another side than before, its
+// spring has changed by its own motion alone, whatever its depth.
 //
 // Source: our own. ICETECH 2014 names both parts, "ice crushing impact forces and steady elastic stresses", without
 // formulas. Valid for overlaps that are small beside the floes. Neglected: that a corner of steel which slides along a

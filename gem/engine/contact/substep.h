@@ -292,7 +292,8 @@ GEM_HD inline void push(SubBody& b, Vec2 impulse, double twist) {
   if (b.inverse_inertia > 0.0) b.contact_work += 0.5 * twist * (spin + b.spin);
 }
 
-/// Sets the turn of a body. The polynomials are exact to 1e-10 up to 0.2 rad; a small floe may be struck into a faster spin.
+/// Sets the turn of a body. The polynomials are exact to 1e-10 up to 0.2 rad; a small floe may be struck into a faster
+/// spin.
 GEM_HD inline void set_turn(SubBody& b, double turn) {
   b.turn = turn;
   if (magnitude(turn) > 0.2) {

@@ -6,6 +6,7 @@
 #include "gem/command/command.h"
 #include "gem/command/time_option.h"
 #include "gem/film/make_film.h"
+#include "gem/record/output/output_path.h"
 #include "gem/run/run_signals.h"
 
 namespace gem {

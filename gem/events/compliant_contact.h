@@ -26,8 +26,9 @@
 //
 // The rules keep it from creating energy: k does not depend on how many corners touch; spring and dashpot together, not
 // the spring alone, meet Coulomb's limit; the stretch is held within mu F / k; B is that of the present overlap, of
-// corners and of faces alike; k does not rise while a corner is loaded (stability_limit() is of the scene, not of the
-// ice, and may change).
+// corners and of faces alike; k does not rise while the spring of a corner is stretched (the stability limit is of the
+// scene, not of the ice, and may change); where a corner comes in from beside or presses another side than before, its
+// spring has changed by its own motion alone, whatever its depth.
 //
 // Source: our own. ICETECH 2014 names both parts, "ice crushing impact forces and steady elastic stresses", without
 // formulas. Valid for overlaps that are small beside the floes. Neglected: that a corner of steel which slides along a
@@ -35,6 +36,7 @@
 #pragma once
 
 #include <cmath>
+#include <cstdint>
 
 #include "gem/base/choose.h"
 #include "gem/base/macros.h"
@@ -51,6 +53,7 @@ struct CornerMemory {
   double elastic = 0.0;  // e [m]
   double normal = 0.0;   // F [N]
   double side = 0.0;     // F_t [N]
+  std::int64_t pressed_side = -1;  // of the other body; 64 bits leave no gap in the record
 };
 
 /// Spring, dashpot and friction of a corner.

@@ -70,7 +70,7 @@ file(GLOB shared_sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/validation/veri
 list(FILTER shared_sources EXCLUDE REGEX "_test\\.cpp$")
 
 add_custom_target(gem_validation_tests)
-foreach(pair IN ITEMS verification:verify agreement:agree hard:hard regression:regression)
+foreach(pair IN ITEMS verification:verify agreement:agree hard:hard contact:contact regression:regression)
   string(REPLACE ":" ";" pair ${pair})
   list(POP_FRONT pair folder label)
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/validation/${folder}/*.cpp)

@@ -17,6 +17,7 @@
 #include "gem/report/run/fixed_record.h"
 #include "gem/report/run/load_run.h"
 #include "gem/report/run/platform_series.h"
+#include "gem/report/run/run_findings.h"
 #include "gem/scene/toml/scene_file.h"
 
 namespace gem {

@@ -1,4 +1,4 @@
-// Renames the corners in the saved state, then looks for corners near the pieces.
+// Renames the corners in the saved state.
 #include "gem/engine/breakup/corner_heirs.h"
 
 #include <algorithm>
@@ -7,7 +7,6 @@
 
 #include "gem/engine/contact/corners.h"
 #include "gem/engine/contact_key.h"
-#include "gem/field/platform_pieces.h"
 
 namespace gem {
 namespace {
@@ -17,7 +16,6 @@ using Remembered = std::pair<std::uint64_t, CornerMemory>;
 /// An outline in world axes about its centroid.
 struct TurnedOutline {
   std::vector<Vec2> corner, normal;
-  std::vector<std::uint8_t> hidden;  // per side; of the pieces of the platform
 
   TurnedOutline(const Bodies& b, std::int32_t i) {
     for (std::int32_t v = b.vertex_begin[i]; v < b.vertex_begin[i + 1]; ++v)
@@ -28,7 +26,7 @@ struct TurnedOutline {
     }
   }
   Surface surface() const {
-    return {{corner.data(), normal.data(), static_cast<int>(corner.size())}, hidden.empty() ? nullptr : hidden.data()};
+    return {{corner.data(), normal.data(), static_cast<int>(corner.size())}};
   }
 };
 
@@ -36,9 +34,6 @@ struct TurnedOutline {
 struct Corner {
   std::int32_t p = 0, q = 0, index = 0;
 };
-
-/// The platform is its first piece here, as in keys.
-std::int32_t owner_of(const Bodies& b, std::int32_t body) { return body < platform_bodies(b) ? 0 : body; }
 
 std::uint64_t key_of(const Corner& c) { return corner_key(std::min(c.p, c.q), std::max(c.p, c.q), c.index, c.p > c.q); }
 
@@ -59,19 +54,6 @@ class Heirs {
  public:
   Heirs(EngineState& state, const std::vector<FloeSplit>& splits) : state_(state), b_(state.bodies), splits_(splits) {
     for (std::size_t k = 0; k < state.corner_key.size(); ++k) keep(state.corner_key[k], state.corner_value[k]);
-    sort();
-  }
-
-  /// Adds the corners that overlap without a memory.
-  void add_crushed() {
-    const std::vector<Remembered> known = remembered_;
-    for (const FloeSplit& split : splits_)
-      for (const std::int32_t piece : split.piece)
-        for (std::int32_t other = 0; other < static_cast<std::int32_t>(b_.count()); ++other)
-          if (may_overlap(split, piece, other)) {
-            add_crushed(piece, other, known);
-            add_crushed(other, piece, known);
-          }
     sort();
   }
 
@@ -98,6 +80,7 @@ class Heirs {
     if (of_p) take_corner(*of_p, place, corner);
     if (of_q) corner.q = piece_around(*of_q, place);
     remembered_.emplace_back(key_of(corner), memory);
+    if (of_q) remembered_.back().second.pressed_side = -1;  // sides have other numbers now
   }
 
   /// The piece that has the corner; an end of the crack is the left piece's.
@@ -122,36 +105,6 @@ class Heirs {
     return split.piece[outside(split.piece[1]) < outside(split.piece[0]) ? 1 : 0];
   }
 
-  bool may_overlap(const FloeSplit& split, std::int32_t piece, std::int32_t other) const {
-    if (other == split.piece[0] || other == split.piece[1] || !b_.active[other]) return false;
-    return length(b_.position[other] - b_.position[piece]) < b_.radius[other] + b_.radius[piece];
-  }
-
-  /// Corners of body p in body q.
-  void add_crushed(std::int32_t p, std::int32_t q, const std::vector<Remembered>& known) {
-    const TurnedOutline own(b_, p);
-    TurnedOutline other(b_, q);
-    if (platform_bodies(b_) > 1 && owner_of(b_, q) == 0)
-      for (std::int32_t v = b_.vertex_begin[q]; v < b_.vertex_begin[q + 1]; ++v)
-        other.hidden.push_back(piece_corners()[static_cast<std::size_t>(v)].is_inside);
-    const std::int32_t owner = owner_of(b_, p);
-    for (std::int32_t k = 0; k < static_cast<std::int32_t>(own.corner.size()); ++k) {
-      const SideDistance nearest =
-          nearest_side(other.surface(), b_.position[p] + own.corner[static_cast<std::size_t>(k)] - b_.position[q]);
-      if (nearest.side < 0) continue;
-      const std::uint64_t key = key_of({owner, owner_of(b_, q), b_.vertex_begin[p] - b_.vertex_begin[owner] + k});
-      if (std::binary_search(known.begin(), known.end(), Remembered{key, {}}, before)) continue;
-      CornerMemory memory;
-      memory.crushed = -nearest.distance;
-      remembered_.emplace_back(key, memory);
-    }
-  }
-
-  const std::vector<PieceCorner>& piece_corners() {
-    if (piece_corners_.empty()) piece_corners_ = corners_of_pieces(b_);
-    return piece_corners_;
-  }
-
   static bool before(const Remembered& p, const Remembered& q) { return p.first < q.first; }
   static bool same(const Remembered& p, const Remembered& q) { return p.first == q.first; }
 
@@ -167,14 +120,12 @@ class Heirs {
   const Bodies& b_;
   const std::vector<FloeSplit>& splits_;
   std::vector<Remembered> remembered_;
-  std::vector<PieceCorner> piece_corners_;  // of the platform, once they are asked for
 };
 
 }  // namespace
 
 void hand_on_corners(EngineState& state, const std::vector<FloeSplit>& splits) {
   Heirs heirs(state, splits);
-  heirs.add_crushed();
   heirs.write();
 }
 

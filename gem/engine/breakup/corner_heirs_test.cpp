@@ -107,22 +107,6 @@ TEST(CornerHeirs, ACornerInTheFloeIsInOnePiece) {
   EXPECT_FALSE(s.memory_of(corner_key(neighbour, right, 0, false)));
 }
 
-TEST(CornerHeirs, EndsOfTheCrackStartInCrushedIce) {
-  SplitState s(stack(0.25));
-  hand_on_corners(s.state, s.splits);
-  for (const std::int32_t piece : {left, right}) {
-    const CornerMemory* end = s.memory_of(corner_key(wall, piece, s.corner_at(piece, {0.0, -0.25}), true));
-    ASSERT_TRUE(end) << piece;
-    EXPECT_NEAR(end->crushed, 0.25, 1e-12);
-    EXPECT_EQ(end->normal, 0.0);
-    // those in the neighbour lie within its chord
-    const CornerMemory* on_top = s.memory_of(corner_key(neighbour, piece, s.corner_at(piece, {0.0, 19.75}), true));
-    ASSERT_TRUE(on_top) << piece;
-    EXPECT_NEAR(on_top->crushed, 0.25, 1e-12);
-  }
-  EXPECT_EQ(s.state.corner_key.size(), 8u) << "no corner of a piece in the other";
-}
-
 TEST(CornerHeirs, BodiesThatDoNotTouchGetNoMemory) {
   SplitState s(stack(-0.25));
   s.state.corner_key.clear();

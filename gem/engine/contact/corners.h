@@ -4,8 +4,8 @@
 // a facing stretch. So a contact is a set of corners, each with the nearest side of the other outline that it can meet.
 // A corner acts only while it is inside: bodies that pass each other with room to spare do not meet.
 //
-// A corner can meet a side if its own two sides lead away from it, or into it at less than 45 degrees. So the end of a
-// facing stretch does not meet the side around the corner, past which its body already reaches.
+// A corner can have come through a side only if its own two sides lead away from it, or into it at less than 30 degrees.
+// So the end of a facing stretch does not press the side around the corner, past which its body already reaches.
 //
 // Outlines are in world axes relative to their own centroids.
 #pragma once
@@ -41,9 +41,9 @@ GEM_HD inline SideDistance outermost_side(const Surface& s, Vec2 y) {
   return best;
 }
 
-/// Whether a corner with these flanks (to its neighbours) can meet a side with this outward normal.
+/// Whether a corner with these flanks (to its neighbours) can have come through a side with this outward normal.
 GEM_HD inline bool can_meet(const Vec2 flank[2], Vec2 normal) {
-  constexpr double steepest = 0.7;  // sine of the angle at which the flanks may lead into the side
+  constexpr double steepest = 0.5;  // sine of the angle at which the flanks may lead into the side
   return dot(normal, flank[0]) >= -steepest * length(flank[0]) && dot(normal, flank[1]) >= -steepest * length(flank[1]);
 }
 
@@ -70,38 +70,54 @@ struct NearSides {
   }
 };
 
-/// The sides that a corner at `y` may cross or touch when it moves by up to `reach` [m].
+/// The sides that a corner at `y` may cross or press when it moves by up to `reach` [m]. If it can have come through
+/// none, it may press all that show.
 GEM_HD inline NearSides near_sides(const Surface& s, Vec2 y, const Vec2 flank[2], double reach) {
-  double nearest = -1e300;
-  for (int j = 0; j < s.outline.count; ++j)
-    if (s.shows(j) && can_meet(flank, s.outline.normal[j]))
-      nearest = larger(nearest, dot(s.outline.normal[j], y - s.outline.corner[j]));
+  constexpr double none = -1e300;
+  double of_met = none, of_shown = none;
+  for (int j = 0; j < s.outline.count; ++j) {
+    if (!s.shows(j)) continue;
+    const double distance = dot(s.outline.normal[j], y - s.outline.corner[j]);
+    of_shown = larger(of_shown, distance);
+    if (can_meet(flank, s.outline.normal[j])) of_met = larger(of_met, distance);
+  }
+  const bool meets_any = of_met > none;
+  const double nearest = meets_any ? of_met : of_shown;
   NearSides near;
   for (int j = 0; j < s.outline.count; ++j) {
     const Vec2 normal = s.outline.normal[j];
     const double distance = dot(normal, y - s.outline.corner[j]);
-    const bool meets = distance >= nearest - 2.0 * reach && s.shows(j) && can_meet(flank, normal);
+    const bool meets =
+        distance >= nearest - 2.0 * reach && s.shows(j) && (!meets_any || can_meet(flank, normal));
     if (meets || distance > -reach) near.add({normal, dot(normal, s.outline.corner[j]), distance, j, meets});
   }
   return near;
 }
 
-/// The nearest of the sides that a point may meet, as its place in `near`; side < 0: the point is not inside. `closed`:
-/// a point on the outline is inside. Of two aligned faces, so, the corners of one of both bodies are inside.
-GEM_HD inline SideDistance nearest_side(const NearSides& near, Vec2 y, bool closed) {
+/// Where two corners are side by side, as those of aligned faces, the one of the pair's second body presses: it counts
+/// as inside up to this distance beyond another side, the other one only that far within [m].
+inline constexpr double tie = 1e-9;
+
+/// The side that a corner presses, as its place in `near`; side < 0: it is not inside. `slack`: tie or -tie.
+GEM_HD inline SideDistance nearest_side(const NearSides& near, Vec2 y, double slack) {
   SideDistance best{-1, -1e300};
+  int outside = -1;
   for (int k = 0; k < near.count; ++k) {
     const NearSide& one = near.side[k];
     const double distance = dot(one.normal, y) - one.offset;
-    if (distance > 0.0 || (distance == 0.0 && !closed)) return {};
+    if (!(distance < slack)) {
+      if (outside >= 0 || !(distance < tie)) return {};
+      outside = k;
+    }
     if (one.meets && distance > best.distance) best = {k, distance};
   }
-  return best.distance < 0.0 ? best : SideDistance{};
+  return best.distance < 0.0 && (outside < 0 || outside == best.side) ? best : SideDistance{};
 }
 
-/// Where a stretch `flank` that begins at `y`, inside the outline, leaves it, as a share of its length; 1: nowhere.
+/// Where a stretch `flank` that begins at `y`, inside the outline, leaves it through a side that shows, as a share of its length; 1: nowhere.
 /// `side`: where it probably does.
-GEM_HD inline double exit_of(const Outline& o, int side, Vec2 y, Vec2 flank) {
+GEM_HD inline double exit_of(const Surface& s, int side, Vec2 y, Vec2 flank) {
+  const Outline& o = s.outline;
   const Vec2 normal = o.normal[side], begin = o.corner[side], end = o.corner[side + 1 < o.count ? side + 1 : 0];
   const double room = dot(normal, begin - y), rise = dot(normal, flank);
   if (room < rise) {
@@ -112,6 +128,7 @@ GEM_HD inline double exit_of(const Outline& o, int side, Vec2 y, Vec2 flank) {
   }
   double share = 1.0;
   for (int j = 0; j < o.count; ++j) {
+    if (!s.shows(j)) continue;
     const double room_j = dot(o.normal[j], o.corner[j] - y), rise_j = dot(o.normal[j], flank);
     if (room_j < share * rise_j) share = room_j / rise_j;
   }

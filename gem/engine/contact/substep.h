@@ -62,16 +62,16 @@ struct SubPoint {
   Vec2 between;               // from q's centroid to p's at the start [m]
   NearSides near;             // sides of q
   bool overlaps = false;
-  bool begins = false;        // it did not overlap in the last substep
-  bool remembers = false;     // its memory is of an earlier time step, or of the start of the run
+  bool entered = false;       // it did not overlap in the last substep
   CornerLaw law;
   CornerMemory memory;
   double full_stiffness = 0.0;  // of the ice; the law may have less [N/m]
   Vec2 flank[2];                // to the neighbour corners at the start [m]
   Surface surface;              // q at the start
+  std::int32_t first_side = 0;  // of this piece of the platform, among all
   // of this substep
   double depth = 0.0, speed_n = 0.0, speed_t = 0.0, trial = 0.0;
-  int side = 0;                 // of q, nearest
+  std::int32_t side = -1;       // of q, that it presses
   Vec2 axis;                    // its outward normal
   Vec2 arm_p, arm_q;            // to the corner [m]
   Vec2 crossing[2];             // of the outlines, beside the corner, from p's centroid at the start [m]
@@ -88,14 +88,14 @@ struct SubPoint {
   ContactWork work;
 };
 
-/// Two bodies and the corners that one of them may have in the other.
+/// Two bodies, of several pieces maybe, and the corners that one of them may have in the other.
 struct SubPair {
   std::int32_t a = 0, b = 0;          // entries of the bodies
   double gap = 0.0, closing = 0.0, curve = 0.0;
   bool is_open = false;               // its points are filled
   bool presses = false;               // a corner overlapped in the last substep
   std::int32_t first = 0, count = 0;  // its points
-  std::int32_t contact = 0;           // among the contacts of the time step
+  std::int32_t contact = 0;           // among the contacts of the time step: of the first piece
   double bound = 0.0;                 // P0 h^(1+ex): crushing force on a chord of 1 m [N]; < 0: no ice
   double exponent = 1.0;              // 1 + ex
   // largest normal force in a substep of this time step, and the chord and depth then
@@ -125,12 +125,12 @@ GEM_HD inline void leave(SubPoint& s, double h) {
   s.twist_p = s.twist_q = 0.0;
 }
 
-/// Depth, speeds and the force of spring and dashpot alone, at the present places. Returns whether the corner overlaps.
-GEM_HD inline bool touch(SubPoint& s, const SubMotion& p, const SubMotion& q, double h) {
+/// Depth and speeds at the present places. Returns whether the corner overlaps.
+GEM_HD inline bool touch(SubPoint& s, const SubMotion& p, const SubMotion& q) {
   const Vec2 arm_p = turned_with(p, s.corner);
   const Vec2 arm_q = s.between + p.shift - q.shift + arm_p;
   const Vec2 y = in_axes_of(q, arm_q);
-  const SideDistance nearest = nearest_side(s.near, y, s.of_b);
+  const SideDistance nearest = nearest_side(s.near, y, s.of_b ? tie : -tie);
   if (nearest.side < 0) return false;
   s.depth = -nearest.distance;
   s.side = s.near.side[nearest.side].side;
@@ -140,9 +140,6 @@ GEM_HD inline bool touch(SubPoint& s, const SubMotion& p, const SubMotion& q, do
   const Vec2 u = p.velocity + cross(p.spin, arm_p) - q.velocity - cross(q.spin, arm_q);
   s.speed_n = dot(u, s.axis);
   s.speed_t = dot(u, turned_left(s.axis));
-  // a corner that comes in beside its side, or was not seen coming, starts with what it closes in this substep
-  if (!s.overlaps && !s.remembers) s.memory.crushed = larger(0.0, s.depth - larger(0.0, -h * s.speed_n));
-  s.trial = corner_pressure(s.law, s.depth - s.memory.crushed, s.speed_n);
   return true;
 }
 
@@ -151,7 +148,7 @@ GEM_HD inline void find_crossings(SubPoint& s, const SubMotion& p, const SubMoti
   const Vec2 y = in_axes_of(q, s.arm_q);
   for (int k = 0; k < 2; ++k) {
     const Vec2 flank = turned_with(p, s.flank[k]);
-    s.crossing[k] = p.shift + s.arm_p + exit_of(s.surface.outline, s.side, y, in_axes_of(q, flank)) * flank;
+    s.crossing[k] = p.shift + s.arm_p + exit_of(s.surface, s.side, y, in_axes_of(q, flank)) * flank;
   }
 }
 
@@ -213,15 +210,26 @@ GEM_HD inline void press(SubPoint& s, const SubMotion& q, double force, bool cru
   s.most_elastic = larger(s.most_elastic, m.elastic);
 }
 
-/// An ongoing contact whose touching corner changes goes on: a corner that meets fresh ice in the substep in which
-/// another corner of the pair leaves takes over its spring.
+/// Spring and dashpot of a corner. Where it has entered, or presses another side than before, its spring has changed by
+/// its motion of the last substep alone: the rest of its depth came from beside, or a contact was found late.
+GEM_HD inline double try_corner(SubPoint& s, double h) {
+  CornerMemory& m = s.memory;
+  const std::int64_t side = s.first_side + s.side;
+  if (side != m.pressed_side) m.crushed = larger(0.0, s.depth - larger(0.0, m.elastic - h * s.speed_n));
+  m.pressed_side = side;
+  return corner_pressure(s.law, s.depth - m.crushed, s.speed_n);
+}
+
+/// An ongoing contact whose touching corner changes goes on: a corner that enters in the substep in which another corner
+/// of the pair leaves takes over its spring.
 GEM_HD inline void hand_over(SubPoint* points, int count, const CornerMemory& left) {
   for (int k = 0; k < count; ++k) {
     SubPoint& s = points[k];
-    if (!s.overlaps || !s.begins) continue;
+    if (!s.overlaps || !s.entered) continue;
     const double share = smaller(1.0, left.stiffness / s.law.stiffness);
     CornerMemory& m = s.memory;
     m = left;
+    m.pressed_side = s.first_side + s.side;
     m.stiffness = s.law.stiffness;
     m.elastic = smaller(s.depth, share * left.elastic);
     m.stretch = share * left.stretch;
@@ -229,6 +237,7 @@ GEM_HD inline void hand_over(SubPoint* points, int count, const CornerMemory& le
     const double stored = 0.5 * m.stiffness * (m.elastic * m.elastic + m.stretch * m.stretch);
     s.work.stored += stored;
     s.work.damped -= stored;
+    s.trial = corner_pressure(s.law, m.elastic, s.speed_n);
     return;
   }
 }
@@ -258,37 +267,27 @@ GEM_HD inline double chord_of(const SubPoint* points, int count) {
 GEM_HD inline bool press_pair(SubPair& pair, SubPoint* points, const SubMotion& a, const SubMotion& b, double h) {
   int inside = 0;
   CornerMemory left;
-  bool hands_over = false;
   for (int k = 0; k < pair.count; ++k) {
     SubPoint& s = points[k];
     const bool overlapped = s.overlaps;
-    s.begins = !overlapped;
-    s.overlaps = s.of_b ? touch(s, b, a, h) : touch(s, a, b, h);
-    s.remembers = s.remembers && s.overlaps;
+    s.overlaps = s.of_b ? touch(s, b, a) : touch(s, a, b);
+    s.entered = s.overlaps && !overlapped;
     inside += s.overlaps;
+    if (s.overlaps) s.trial = try_corner(s, h);
     if (!s.overlaps && overlapped) {
-      if (s.memory.normal > left.normal) left = s.memory, hands_over = true;
+      if (s.memory.normal > left.normal) left = s.memory;
       leave(s, h);
     }
   }
   pair.presses = inside > 0;
   if (!pair.presses) return false;
+  if (left.normal > 0.0) hand_over(points, pair.count, left);
   double sum = 0.0, depth = 0.0;
   for (int k = 0; k < pair.count; ++k)
     if (points[k].overlaps) {
       sum += points[k].trial;
       depth = larger(depth, points[k].depth);
     }
-  if (hands_over) {
-    hand_over(points, pair.count, left);
-    sum = 0.0;
-    for (int k = 0; k < pair.count; ++k) {
-      SubPoint& s = points[k];
-      if (!s.overlaps) continue;
-      s.trial = corner_pressure(s.law, s.depth - s.memory.crushed, s.speed_n);
-      sum += s.trial;
-    }
-  }
   double share = 1.0, chord = 0.0;
   if (sum > 0.0 && pair.bound >= 0.0) {
     for (int k = 0; k < pair.count; ++k)
@@ -310,7 +309,7 @@ GEM_HD inline bool press_pair(SubPair& pair, SubPoint* points, const SubMotion& 
   return true;
 }
 
-/// Velocity after the impulses of the contacts.
+/// Velocity of the platform after the impulses of the contacts; its other loads follow.
 GEM_HD inline void push(SubBody& b, Vec2 impulse, double twist) {
   const Vec2 velocity = b.velocity;
   const double spin = b.spin;
@@ -320,10 +319,17 @@ GEM_HD inline void push(SubBody& b, Vec2 impulse, double twist) {
   if (b.inverse_inertia > 0.0) b.contact_work += 0.5 * twist * (spin + b.spin);
 }
 
-/// Sets the turn of a body. The polynomials are exact to 1e-10 up to 0.2 rad.
+/// Sets the turn of a body. The polynomials are exact to 1e-10 up to 0.2 rad; a small floe may be struck into a faster
+/// spin.
 GEM_HD inline void set_turn(SubMotion& b, double turn) {
-  const double t2 = turn * turn;
   b.turn = turn;
+  if (magnitude(turn) > 0.2) {
+    const Rotation q = strict::rotation_of_angle(turn);
+    b.cosine = q.cosine;
+    b.sine = q.sine;
+    return;
+  }
+  const double t2 = turn * turn;
   b.cosine = 1.0 - t2 * (1.0 / 2.0 - t2 * (1.0 / 24.0 - t2 * (1.0 / 720.0)));
   b.sine = turn * (1.0 - t2 * (1.0 / 6.0 - t2 * (1.0 / 120.0 - t2 * (1.0 / 5040.0))));
 }
@@ -384,13 +390,17 @@ GEM_HD inline void watch(SubPair& pair, const SubBody& p, const SubBody& q, Vec2
   pair.curve = larger(pair.curve, 0.5 * acceleration);
 }
 
-/// A floe's other loads and its motion over a substep.
-GEM_HD inline void move(SubBody& b, double h) {
+/// Impulses of the contacts on a floe, its other loads and its motion over a substep. All work with the mean velocity of
+/// the substep: one after the other they would seem to give and take energy where a floe rests.
+GEM_HD inline void move(SubBody& b, Vec2 impulse, double twist, double h) {
   const Vec2 velocity = b.velocity;
   const double spin = b.spin;
-  b.velocity += b.kick;
-  b.spin += b.kick_spin;
-  b.kick_work += 0.5 * b.mass * dot(b.kick, velocity + b.velocity) + 0.5 * b.inertia * b.kick_spin * (spin + b.spin);
+  b.velocity += b.inverse_mass * impulse + b.kick;
+  b.spin += b.inverse_inertia * twist + b.kick_spin;
+  const Vec2 mean = 0.5 * (velocity + b.velocity);
+  const double mean_spin = 0.5 * (spin + b.spin);
+  b.contact_work += dot(impulse, mean) + twist * mean_spin;
+  b.kick_work += b.mass * dot(b.kick, mean) + b.inertia * b.kick_spin * mean_spin;
   b.shift_sum += b.shift;
   b.shift += h * b.velocity;
   set_turn(b, b.turn + h * b.spin);

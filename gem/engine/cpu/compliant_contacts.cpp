@@ -110,16 +110,23 @@ void CompliantContacts::lay_out(const FieldState& f, Contacts contacts, int thre
   body_.clear();
   body_id_.clear();
   corners_.clear();
-  for (int r = 0; r < threads; ++r)
-    for (const Found& one : part_[r].found) {
-      if (pair_.empty() || pair_.back().contact != one.contact) {
-        pair_.push_back({});
-        pair_.back().first = static_cast<std::int32_t>(found_.size());
-        pair_.back().contact = one.contact;
-      }
-      ++pair_.back().count;
-      found_.push_back(one);
+  for (int r = 0; r < threads; ++r) found_.insert(found_.end(), part_[r].found.begin(), part_[r].found.end());
+  const auto bodies_of = [&](const Found& one) {
+    const Contact& contact = *contacts[one.contact];
+    return std::pair(f.constants.owner_of(contact.a), contact.b);
+  };
+  // what a body has with several pieces of the platform is one contact
+  if (f.constants.pieces > 1)
+    std::stable_sort(found_.begin(), found_.end(),
+                     [&](const Found& a, const Found& b) { return bodies_of(a) < bodies_of(b); });
+  for (std::size_t k = 0; k < found_.size(); ++k) {
+    if (k == 0 || bodies_of(found_[k]) != bodies_of(found_[k - 1])) {
+      pair_.push_back({});
+      pair_.back().first = static_cast<std::int32_t>(k);
+      pair_.back().contact = found_[k].contact;
     }
+    ++pair_.back().count;
+  }
   platform_ = f.constants.events.platform_present ? enter(f, 0) : -1;
   for (SubPair& pair : pair_) {
     const Contact& contact = *contacts[pair.contact];
@@ -136,26 +143,23 @@ void CompliantContacts::lay_out(const FieldState& f, Contacts contacts, int thre
   point_key_.resize(found_.size());
 }
 
-/// What the corner remembers; its stiffness does not rise while it is loaded.
-void CompliantContacts::keep(SubPoint& point, std::uint64_t key, bool fresh) {
+/// What the corner remembers; its stiffness does not rise while its spring is stretched, even if its dashpot holds it.
+void CompliantContacts::keep(SubPoint& point, std::uint64_t key) {
   const auto at = std::lower_bound(key_.begin(), key_.end(), key);
   if (at != key_.end() && *at == key) {
     point.memory = memory_[at - key_.begin()];
-    point.overlaps = point.remembers = true;
-    if (point.memory.normal > 0.0) point.law.stiffness = smaller(point.law.stiffness, point.memory.stiffness);
-  } else if (fresh) {
-    point.memory.crushed = point.depth;
-    point.remembers = true;
+    point.overlaps = true;
+    if (point.memory.elastic > 0.0) point.law.stiffness = smaller(point.law.stiffness, point.memory.stiffness);
   }
 }
 
 void CompliantContacts::watch_pair(const FieldState& f, Contacts contacts, SubPair& pair) {
-  const Contact& contact = *contacts[pair.contact];
   pair.gap = 1e300;
   pair.closing = -1e300;
   for (std::int32_t k = pair.first; k < pair.first + pair.count; ++k) {
     const Found& found = found_[k];
-    const std::int32_t p = body_p(contact, found.of_b), q = body_q(contact, found.of_b);
+    const Contact& of_piece = *contacts[found.contact];
+    const std::int32_t p = body_p(of_piece, found.of_b), q = body_q(of_piece, found.of_b);
     const Outline side_of = f.outline(q);
     const Vec2 corner = f.outline(p).corner[found.corner];
     const Vec2 arm_q = start_of(f, p) - start_of(f, q) + corner, normal = side_of.normal[found.side];
@@ -183,18 +187,19 @@ void CompliantContacts::open(const FieldState& f, Contacts contacts, SubPair& pa
     SubPoint& s = point_[k];
     s = {};
     s.of_b = found.of_b;
-    const std::int32_t p = body_p(contact, found.of_b), q = body_q(contact, found.of_b);
+    const Contact& of_piece = *contacts[found.contact];
+    const std::int32_t p = body_p(of_piece, found.of_b), q = body_q(of_piece, found.of_b);
     const std::int32_t entry_p = s.of_b ? pair.b : pair.a, entry_q = s.of_b ? pair.a : pair.b;
     const Outline own = f.outline(p);
     s.surface = surface_of(f, q);
+    s.first_side = b.vertex_begin[q] - b.vertex_begin[f.constants.owner_of(q)];
     s.corner = own.corner[found.corner];
     s.flank[0] = own.corner[found.corner > 0 ? found.corner - 1 : own.count - 1] - s.corner;
     s.flank[1] = own.corner[found.corner + 1 < own.count ? found.corner + 1 : 0] - s.corner;
     s.between = start_of(f, p) - start_of(f, q);
     const Vec2 arm_q = s.between + s.corner;
     s.near = near_sides(s.surface, arm_q, s.flank, f.constants.contact_margin);
-    const SideDistance nearest = nearest_side(s.near, arm_q, s.of_b);
-    s.depth = -nearest.distance;
+    const SideDistance nearest = nearest_side(s.near, arm_q, s.of_b ? tie : -tie);
     const Vec2 normal = s.near.side[nearest.side < 0 ? 0 : nearest.side].normal;
     const SubBody &of_p = body_[entry_p], &of_q = body_[entry_q];
     const CollisionMass mass_p = shared_mass({of_p.inverse_mass, of_p.inverse_inertia}, std::max(1, corners_[entry_p]));
@@ -207,7 +212,8 @@ void CompliantContacts::open(const FieldState& f, Contacts contacts, SubPair& pa
     const std::int32_t owner = f.constants.owner_of(contact.a);
     const std::int32_t vertex = b.vertex_begin[p] - b.vertex_begin[found.of_b ? contact.b : owner] + found.corner;
     point_key_[k] = corner_key(owner, contact.b, vertex, found.of_b);
-    keep(s, point_key_[k], at_start_ && nearest.side >= 0);
+    // a corner at a joint is near several pieces; the one that it is in has its memory
+    if (f.constants.pieces == 1 || nearest.side >= 0) keep(s, point_key_[k]);
   }
 }
 
@@ -226,10 +232,9 @@ void CompliantContacts::sum_rows() {
     }
 }
 
-void CompliantContacts::begin(const FieldState& f, Contacts contacts, std::int64_t step, ThreadTeam& team, int rank) {
+void CompliantContacts::begin(const FieldState& f, Contacts contacts, ThreadTeam& team, int rank) {
   team.single(rank, [&] {
     part_.resize(std::max(part_.size(), static_cast<std::size_t>(team.size())));
-    at_start_ = step == 0;
     if (f.piece_corner.empty() || !hidden_side_.empty()) return;
     hidden_side_.resize(f.piece_corner.size());
     no_corner_.resize(f.piece_corner.size());
@@ -283,8 +288,8 @@ void CompliantContacts::move_bodies(FieldState& f, std::int64_t substep, const T
       touched_[i] = 2;
       Vec2 impulse;
       double twist = 0.0;
-      if (sum_of(i, impulse, twist)) push(b, impulse, twist);
-      move(b, h_);
+      sum_of(i, impulse, twist);
+      move(b, impulse, twist, h_);
     }
     stray_[i] = stray_of(b, static_cast<double>(substep + 1), h_);
   }

@@ -23,7 +23,7 @@ class CompliantContacts {
   void set_up(std::int64_t substeps, const StepConstants& of_substep);
 
   // called by every thread of a team, in this order
-  void begin(const FieldState& f, Contacts contacts, std::int64_t step, ThreadTeam& team, int rank);
+  void begin(const FieldState& f, Contacts contacts, ThreadTeam& team, int rank);
   void run(FieldState& f, Contacts contacts, ThreadTeam& team, int rank);
   void finish(FieldState& f, Contacts contacts, ThreadTeam& team, int rank, StepQuality& quality, StepLog& log);
 
@@ -61,7 +61,7 @@ class CompliantContacts {
     std::atomic_ref<std::uint8_t>(touched_[entry]).store(1, std::memory_order_relaxed);
   }
   bool sum_of(std::int64_t entry, Vec2& impulse, double& twist) const;
-  void keep(SubPoint& point, std::uint64_t key, bool fresh);
+  void keep(SubPoint& point, std::uint64_t key);
   void sum_rows();
   void move_bodies(FieldState& f, std::int64_t substep, const ThreadTeam& team, int rank);
   void move_platform(FieldState& f);
@@ -73,7 +73,6 @@ class CompliantContacts {
 
   std::int64_t substeps_ = 1;
   double h_ = 0.0;  // [s]
-  bool at_start_ = false;  // of the run: what overlaps now has been crushed before
   StepConstants of_substep_;
   std::vector<std::uint8_t> hidden_side_, no_corner_;  // of the pieces of the platform, indexed as bodies.vertex
 

@@ -65,7 +65,7 @@ void CpuEngine::run(ThreadTeam& team, int rank, StepLog& log) {
   if constexpr (stage == Stage::solo_events) solo_events(team, rank);
   if constexpr (stage == Stage::contact_events) {
     before_contact_events();
-    if (compliant) compliant_.begin(f, pairs_.contacts(), step_, team, rank);
+    if (compliant) compliant_.begin(f, pairs_.contacts(), team, rank);
     if (!coupled && !compliant) resolve_independent(team, rank);
   }
   if constexpr (stage == Stage::gather)

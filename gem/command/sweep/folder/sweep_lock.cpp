@@ -12,6 +12,7 @@
 #include "gem/base/error.h"
 #include "gem/base/hash.h"
 #include "gem/command/command.h"
+#include "gem/record/output/output_path.h"
 
 namespace gem {
 namespace {

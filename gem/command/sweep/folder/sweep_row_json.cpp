@@ -3,6 +3,7 @@
 
 #include <stdexcept>
 
+#include "gem/command/command.h"
 #include "gem/record/output/output_path.h"
 #include "gem/scene/sweep/draw_table.h"
 

@@ -99,7 +99,8 @@ Loads run(const std::string& path, const Variant& variant, int seed, double from
     loads.deepest = std::max(loads.deepest, log.quality.back().maximum_overlap);
   }
   loads.seconds = thread_seconds() - start;
-  const std::vector<double> brief = blocks(force, std::llround(0.2 / dt)), whole = blocks(force, std::llround(1.0 / dt));
+  const std::vector<double> brief = blocks(force, std::llround(0.2 / dt)),
+                            whole = blocks(force, std::llround(1.0 / dt));
   loads.mean = mean_of(brief);
   loads.sd_short = deviation_of(brief);
   loads.most_short = *std::max_element(brief.begin(), brief.end());
@@ -180,7 +181,8 @@ int main_of(int count, char** text) {
   std::vector<std::thread> threads;
   for (int k = 0; k < jobs; ++k) threads.emplace_back(work);
   for (std::thread& t : threads) t.join();
-  std::printf("variant,seed,mean_N,sd_0.2s_N,max_0.2s_N,q99_0.2s_N,max_1s_N,sd_1s_N,seconds,softened,left,overlap_m,hash\n");
+  std::printf(
+      "variant,seed,mean_N,sd_0.2s_N,max_0.2s_N,q99_0.2s_N,max_1s_N,sd_1s_N,seconds,softened,left,overlap_m,hash\n");
   for (std::size_t v = 0; v < variants.size(); ++v)
     for (int s = 0; s < seeds; ++s) {
       const Loads& l = all[v][s];

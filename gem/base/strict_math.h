@@ -126,7 +126,8 @@ GEM_HD constexpr double inverse_of(int k) {
 }
 }  // namespace detail
 
-/// x^p for normal x > 0 and results that are normal, to 2e-9 of the result times 1 + |p|: a third of the cost of power().
+/// x^p for normal x > 0 and results that are normal, to 2e-9 of the result times 1 + |p|: a third of the cost of
+/// power().
 GEM_HD inline double power_short(double x, double p) {
   const std::uint64_t bits = bits_of(x), mantissa = (bits & 0x000fffffffffffffULL) | 0x3ff0000000000000ULL;
   double m = double_of(mantissa);

@@ -50,9 +50,9 @@ struct CornerMemory {
   double stretch = 0.0;    // s [m]
   double stiffness = 0.0;  // k as it was when the corner was last loaded [N/m]
   // of the last force, for the books: the work of a substep is the mean of the forces before and after it
-  double elastic = 0.0;  // e [m]
-  double normal = 0.0;   // F [N]
-  double side = 0.0;     // F_t [N]
+  double elastic = 0.0;            // e [m]
+  double normal = 0.0;             // F [N]
+  double side = 0.0;               // F_t [N]
   std::int64_t pressed_side = -1;  // of the other body; 64 bits leave no gap in the record
 };
 
@@ -99,9 +99,9 @@ GEM_HD GEM_INLINE double corner_friction(const CornerLaw& law, double stretch, d
 ///
 ///     k <= kappa^2 / (h^2 q),   c <= (1 - k h^2 q) / (h q)
 ///
-/// q is the larger of both compliances of a corner, along the normal and the tangent, with the mass of each body divided
-/// among its corners [1/kg]. All springs of a scene together then have eigenvalues h^2 M^-1 K up to 2 kappa^2, and a hit
-/// gains no energy while k h^2 q + c h q <= 1.
+/// q is the larger of both compliances of a corner, along the normal and the tangent, with the mass of each body
+/// divided among its corners [1/kg]. All springs of a scene together then have eigenvalues h^2 M^-1 K up to 2 kappa^2,
+/// and a hit gains no energy while k h^2 q + c h q <= 1.
 inline constexpr double stable_kappa = 0.8;
 
 /// The law within those limits.

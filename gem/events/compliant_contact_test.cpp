@@ -12,7 +12,7 @@
 namespace gem {
 namespace {
 
-constexpr double stiffness = 2.5e8;  // of a corner of ice of 1 m [N/m]
+constexpr double of_ice = 2.5e8;  // of a corner of ice of 1 m [N/m]
 
 /// A mass that hits one corner head on, with a bound of crushing that grows as a corner's.
 struct Hit {
@@ -67,36 +67,36 @@ TEST(CompliantContact, two_corners_are_a_face) {
 }
 
 TEST(CompliantContact, a_corner_pushes_only_where_its_spring_is_pressed) {
-  const CornerLaw law{stiffness, 1e6, 0.3};
+  const CornerLaw law{of_ice, 1e6, 0.3};
   EXPECT_EQ(corner_pressure(law, 0.0, -1.0), 0.0);
   EXPECT_EQ(corner_pressure(law, -1e-3, -1.0), 0.0);
   EXPECT_EQ(corner_pressure(law, 1e-6, 1.0), 0.0) << "it does not pull";
-  EXPECT_EQ(corner_pressure(law, 1e-3, 0.0), stiffness * 1e-3);
+  EXPECT_EQ(corner_pressure(law, 1e-3, 0.0), of_ice * 1e-3);
   EXPECT_GT(corner_pressure(law, 1e-3, -0.1), corner_pressure(law, 1e-3, 0.0));
 }
 
 TEST(CompliantContact, crushed_depth_never_falls_and_leaves_the_force_in_the_spring) {
-  const CornerLaw law{stiffness, 0.0, 0.0};
+  const CornerLaw law{of_ice, 0.0, 0.0};
   const double crushed = crushed_depth(law, 0.0, 0.05, 1e5);
-  EXPECT_NEAR(stiffness * (0.05 - crushed), 1e5, 1e-6);
+  EXPECT_NEAR(of_ice * (0.05 - crushed), 1e5, 1e-6);
   EXPECT_EQ(crushed_depth(law, crushed, 0.02, 1e5), crushed);
 }
 
 TEST(CompliantContact, friction_stays_within_coulombs_limit) {
   RandomSequence numbers(Random(1, 1));
   for (int k = 0; k < 10000; ++k) {
-    const CornerLaw law{stiffness * numbers.uniform(), 1e6 * numbers.uniform(), numbers.uniform()};
+    const CornerLaw law{of_ice * numbers.uniform(), 1e6 * numbers.uniform(), numbers.uniform()};
     const double force = 1e6 * numbers.uniform(), most = law.friction * force * (1.0 + 1e-12);
     const double stretch = corner_stretch(law, numbers.uniform(-1.0, 1.0), numbers.uniform(-1.0, 1.0), force);
     EXPECT_LE(std::fabs(law.stiffness * stretch), most);
     EXPECT_LE(std::fabs(corner_friction(law, stretch, numbers.uniform(-1.0, 1.0), force)), most);
   }
-  EXPECT_EQ(corner_stretch({stiffness, 0.0, 0.5}, 1e-3, 1e-3, 0.0), 0.0) << "no force, no stretch";
+  EXPECT_EQ(corner_stretch({of_ice, 0.0, 0.5}, 1e-3, 1e-3, 0.0), 0.0) << "no force, no stretch";
 }
 
 TEST(CompliantContact, undamped_spring_returns_the_speed) {
-  const Outcome out = integrate({{stiffness, 0.0, 0.0}}, 1e-6);
-  EXPECT_NEAR(out.peak, 0.5 * std::sqrt(stiffness * 9e4), 1e-3 * out.peak);
+  const Outcome out = integrate({{of_ice, 0.0, 0.0}}, 1e-6);
+  EXPECT_NEAR(out.peak, 0.5 * std::sqrt(of_ice * 9e4), 1e-3 * out.peak);
   EXPECT_NEAR(out.speed, -0.5, 1e-3);
 }
 
@@ -141,10 +141,7 @@ double largest_gain(int hits, double damping_share, std::uint64_t seed) {
   return most;
 }
 
-TEST(CompliantContact, at_the_stability_limits_a_hit_gains_no_energy) {
-  EXPECT_LE(stable_kappa * stable_kappa + stable_beta, 1.0 + 1e-12);
-  EXPECT_LE(largest_gain(20000, 1.0, 1), 1e-9);
-}
+TEST(CompliantContact, at_the_stability_limits_a_hit_gains_no_energy) { EXPECT_LE(largest_gain(20000, 1.0, 1), 1e-9); }
 
 TEST(CompliantContact, limits_bind_only_beyond_them) {
   const CornerLaw soft{1e3, 10.0, 0.2}, law = stable_law(soft, 1e-3, 1e-4);
@@ -153,6 +150,8 @@ TEST(CompliantContact, limits_bind_only_beyond_them) {
   const CornerLaw hard = stable_law({1e15, 1e15, 0.2}, 1e-3, 1e-4);
   EXPECT_DOUBLE_EQ(hard.stiffness, 0.64 / (1e-6 * 1e-4));
   EXPECT_DOUBLE_EQ(hard.damping, 0.36 / (1e-3 * 1e-4));
+  const CornerLaw damped = stable_law({1e3, 1e15, 0.2}, 1e-3, 1e-4);
+  EXPECT_DOUBLE_EQ(damped.damping, (1.0 - 1e3 * 1e-10) / (1e-3 * 1e-4));
 }
 
 }  // namespace

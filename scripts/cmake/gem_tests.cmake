@@ -31,7 +31,8 @@ function(gem_test_program name label)
 endfunction()
 
 # These files define names without linkage that other files of their folder also define.
-foreach(file IN ITEMS verification/platform_test verification/crushing_test verification/row_test hard/contact_residuals)
+foreach(file IN ITEMS verification/platform_test verification/crushing_test verification/row_test hard/contact_residuals
+    contact/crush_test contact/miss_test contact/rest_test contact/switch_test)
   set_source_files_properties(${PROJECT_SOURCE_DIR}/validation/${file}.cpp PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
 endforeach()
 

@@ -25,9 +25,7 @@ struct TurnedOutline {
       normal.push_back((1.0 / length(side)) * turned_right(side));
     }
   }
-  Surface surface() const {
-    return {{corner.data(), normal.data(), static_cast<int>(corner.size())}};
-  }
+  Surface surface() const { return {{corner.data(), normal.data(), static_cast<int>(corner.size())}}; }
 };
 
 /// A corner of body p that remembers something of body q.

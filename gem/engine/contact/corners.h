@@ -4,8 +4,9 @@
 // a facing stretch. So a contact is a set of corners, each with the nearest side of the other outline that it can meet.
 // A corner acts only while it is inside: bodies that pass each other with room to spare do not meet.
 //
-// A corner can have come through a side only if its own two sides lead away from it, or into it at less than 30 degrees.
-// So the end of a facing stretch does not press the side around the corner, past which its body already reaches.
+// A corner can have come through a side only if its own two sides lead away from it, or into it at less than 30
+// degrees. So the end of a facing stretch does not press the side around the corner, past which its body already
+// reaches.
 //
 // Outlines are in world axes relative to their own centroids.
 #pragma once
@@ -87,8 +88,7 @@ GEM_HD inline NearSides near_sides(const Surface& s, Vec2 y, const Vec2 flank[2]
   for (int j = 0; j < s.outline.count; ++j) {
     const Vec2 normal = s.outline.normal[j];
     const double distance = dot(normal, y - s.outline.corner[j]);
-    const bool meets =
-        distance >= nearest - 2.0 * reach && s.shows(j) && (!meets_any || can_meet(flank, normal));
+    const bool meets = distance >= nearest - 2.0 * reach && s.shows(j) && (!meets_any || can_meet(flank, normal));
     if (meets || distance > -reach) near.add({normal, dot(normal, s.outline.corner[j]), distance, j, meets});
   }
   return near;
@@ -114,8 +114,8 @@ GEM_HD inline SideDistance nearest_side(const NearSides& near, Vec2 y, double sl
   return best.distance < 0.0 && (outside < 0 || outside == best.side) ? best : SideDistance{};
 }
 
-/// Where a stretch `flank` that begins at `y`, inside the outline, leaves it through a side that shows, as a share of its length; 1: nowhere.
-/// `side`: where it probably does.
+/// Where a stretch `flank` that begins at `y`, inside the outline, leaves it through a side that shows, as a share of
+/// its length; 1: nowhere. `side`: where it probably does.
 GEM_HD inline double exit_of(const Surface& s, int side, Vec2 y, Vec2 flank) {
   const Outline& o = s.outline;
   const Vec2 normal = o.normal[side], begin = o.corner[side], end = o.corner[side + 1 < o.count ? side + 1 : 0];
@@ -135,9 +135,9 @@ GEM_HD inline double exit_of(const Surface& s, int side, Vec2 y, Vec2 flank) {
   return share;
 }
 
-/// Calls take(corner, outermost side) for every corner of `p` that is closer than `reach` to `q` [m]. `to_p` is the vector from
-/// q's centroid to p's. `beyond`: p's corners nearer than this to q along `axis` [m] are looked at, a necessary
-/// condition; `axis` points from q to p.
+/// Calls take(corner, outermost side) for every corner of `p` that is closer than `reach` to `q` [m]. `to_p` is the
+/// vector from q's centroid to p's. `beyond`: p's corners nearer than this to q along `axis` [m] are looked at, a
+/// necessary condition; `axis` points from q to p.
 template <class Take>
 GEM_HD inline void corners_near(const Outline& p, const Surface& q, Vec2 to_p, Vec2 axis, double beyond, double reach,
                                 Take&& take) {

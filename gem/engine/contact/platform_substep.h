@@ -7,8 +7,8 @@
 
 namespace gem {
 
-/// `of_substep`: constants of a time step as long as the substep; `pushed`: the platform's speed after the contacts. Returns
-/// the angle by which it has turned [rad]; its outline stays as it was.
+/// `of_substep`: constants of a time step as long as the substep; `pushed`: the platform's speed after the contacts.
+/// Returns the angle by which it has turned [rad]; its outline stays as it was.
 inline double platform_substep(FieldState& f, const StepConstants& of_substep, PlatformSpeed pushed) {
   const Events& e = of_substep.events;
   Bodies& b = f.bodies;

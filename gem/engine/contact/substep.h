@@ -36,17 +36,17 @@ struct SubMotion {
 
 /// A body during the substeps.
 struct SubBody : SubMotion {
-  Vec2 start_velocity;               // at the start of the time step [m/s]
-  double start_spin = 0.0;           // [rad/s]
-  double radius = 0.0;               // of every point that a corner may meet [m]
+  Vec2 start_velocity;      // at the start of the time step [m/s]
+  double start_spin = 0.0;  // [rad/s]
+  double radius = 0.0;      // of every point that a corner may meet [m]
   double inverse_mass = 0.0, inverse_inertia = 0.0;
-  Vec2 kick;                         // of one substep [m/s]
-  double kick_spin = 0.0;            // [rad/s]
+  Vec2 kick;               // of one substep [m/s]
+  double kick_spin = 0.0;  // [rad/s]
   // books of the time step
   double mass = 0.0, inertia = 0.0;
-  Vec2 shift_sum;                    // sum of the shifts at the kicks [m]
-  double kick_work = 0.0;            // [J]
-  double contact_work = 0.0;         // [J]
+  Vec2 shift_sum;             // sum of the shifts at the kicks [m]
+  double kick_work = 0.0;     // [J]
+  double contact_work = 0.0;  // [J]
 };
 
 /// Energy of contacts since the start of the time step [J]; stored: at present. Losses are > 0.
@@ -57,12 +57,12 @@ struct ContactWork {
 /// A corner of one body of a pair, p, near a side of the other, q. Forces and impulses are those on p; q gets the
 /// opposite.
 struct SubPoint {
-  bool of_b = false;          // p is b of the pair, else a
-  Vec2 corner;                // from p's centroid at the start [m]
-  Vec2 between;               // from q's centroid to p's at the start [m]
-  NearSides near;             // sides of q
+  bool of_b = false;  // p is b of the pair, else a
+  Vec2 corner;        // from p's centroid at the start [m]
+  Vec2 between;       // from q's centroid to p's at the start [m]
+  NearSides near;     // sides of q
   bool overlaps = false;
-  bool entered = false;       // it did not overlap in the last substep
+  bool entered = false;  // it did not overlap in the last substep
   CornerLaw law;
   CornerMemory memory;
   double full_stiffness = 0.0;  // of the ice; the law may have less [N/m]
@@ -71,26 +71,26 @@ struct SubPoint {
   std::int32_t first_side = 0;  // of this piece of the platform, among all
   // of this substep
   double depth = 0.0, speed_n = 0.0, speed_t = 0.0, trial = 0.0;
-  std::int32_t side = -1;       // of q, that it presses
-  Vec2 axis;                    // its outward normal
-  Vec2 arm_p, arm_q;            // to the corner [m]
-  Vec2 crossing[2];             // of the outlines, beside the corner, from p's centroid at the start [m]
-  Vec2 impulse;                 // [N s]
+  std::int32_t side = -1;  // of q, that it presses
+  Vec2 axis;               // its outward normal
+  Vec2 arm_p, arm_q;       // to the corner [m]
+  Vec2 crossing[2];        // of the outlines, beside the corner, from p's centroid at the start [m]
+  Vec2 impulse;            // [N s]
   double twist_p = 0.0, twist_q = 0.0;
   // sums of the time step
-  Vec2 impulse_sum, normal_sum;          // [N s]; normal_sum: normal part alone
-  double pressed = 0.0;                  // sum of the magnitudes of the normal part [N s]
-  double moment = 0.0;                   // about q's centroid at the start [N m s]
+  Vec2 impulse_sum, normal_sum;  // [N s]; normal_sum: normal part alone
+  double pressed = 0.0;          // sum of the magnitudes of the normal part [N s]
+  double moment = 0.0;           // about q's centroid at the start [N m s]
   double twist_p_sum = 0.0, twist_q_sum = 0.0;
-  Vec2 point_sum;                        // places from q's centroid at the start, times pressed [m N s]
-  double softened = 0.0;                 // part of `pressed` with a stiffness below that of the ice [N s]
+  Vec2 point_sum;                            // places from q's centroid at the start, times pressed [m N s]
+  double softened = 0.0;                     // part of `pressed` with a stiffness below that of the ice [N s]
   double deepest = 0.0, most_elastic = 0.0;  // [m]
   ContactWork work;
 };
 
 /// Two bodies, of several pieces maybe, and the corners that one of them may have in the other.
 struct SubPair {
-  std::int32_t a = 0, b = 0;          // entries of the bodies
+  std::int32_t a = 0, b = 0;  // entries of the bodies
   double gap = 0.0, closing = 0.0, curve = 0.0;
   bool is_open = false;               // its points are filled
   bool presses = false;               // a corner overlapped in the last substep
@@ -100,7 +100,7 @@ struct SubPair {
   double exponent = 1.0;              // 1 + ex
   // largest normal force in a substep of this time step, and the chord and depth then
   double largest_force = 0.0, chord = 0.0, depth = 0.0;
-  std::int32_t corners = 0;           // that overlapped then
+  std::int32_t corners = 0;  // that overlapped then
 };
 
 /// Turns `x` as the body has turned.
@@ -220,8 +220,8 @@ GEM_HD inline double try_corner(SubPoint& s, double h) {
   return corner_pressure(s.law, s.depth - m.crushed, s.speed_n);
 }
 
-/// An ongoing contact whose touching corner changes goes on: a corner that enters in the substep in which another corner
-/// of the pair leaves takes over its spring.
+/// An ongoing contact whose touching corner changes goes on: a corner that enters in the substep in which another
+/// corner of the pair leaves takes over its spring.
 GEM_HD inline void hand_over(SubPoint* points, int count, const CornerMemory& left) {
   for (int k = 0; k < count; ++k) {
     SubPoint& s = points[k];
@@ -390,8 +390,8 @@ GEM_HD inline void watch(SubPair& pair, const SubBody& p, const SubBody& q, Vec2
   pair.curve = larger(pair.curve, 0.5 * acceleration);
 }
 
-/// Impulses of the contacts on a floe, its other loads and its motion over a substep. All work with the mean velocity of
-/// the substep: one after the other they would seem to give and take energy where a floe rests.
+/// Impulses of the contacts on a floe, its other loads and its motion over a substep. All work with the mean velocity
+/// of the substep: one after the other they would seem to give and take energy where a floe rests.
 GEM_HD inline void move(SubBody& b, Vec2 impulse, double twist, double h) {
   const Vec2 velocity = b.velocity;
   const double spin = b.spin;

@@ -22,8 +22,8 @@ Vec2 start_of(const FieldState& f, std::int32_t body) {
 /// corners share the mass of a body, so it hangs on nothing distant; others are seen too when a neighbour is hit.
 double reach_of(const FieldState& f, std::int32_t a, std::int32_t b) {
   const Bodies& s = f.bodies;
-  const double closing = length(s.velocity[b] - s.velocity[a]) + magnitude(s.spin[a]) * s.radius[a] +
-                         magnitude(s.spin[b]) * s.radius[b];
+  const double closing =
+      length(s.velocity[b] - s.velocity[a]) + magnitude(s.spin[a]) * s.radius[a] + magnitude(s.spin[b]) * s.radius[b];
   return f.constants.dt * (closing + f.constants.drive_speed);
 }
 
@@ -334,7 +334,8 @@ void CompliantContacts::hand_back(FieldState& f, std::int32_t entry) {
   Quantity& drag = f.book(Channel::drag, i);
   const Vec2 impulse = s.mass * (b.velocity[i] - velocity_before_[i]);
   const double twist = s.inertia * (b.spin[i] - spin_before_[i]);
-  const double alone = 0.5 * dot(impulse, b.velocity[i] + velocity_before_[i]) + 0.5 * twist * (b.spin[i] + spin_before_[i]);
+  const double alone =
+      0.5 * dot(impulse, b.velocity[i] + velocity_before_[i]) + 0.5 * twist * (b.spin[i] + spin_before_[i]);
   drag.energy += s.kick_work - alone;
   drag.angular_momentum += s.mass * cross(s.shift_sum, s.kick);
   b.velocity[i] = s.velocity;

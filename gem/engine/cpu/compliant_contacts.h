@@ -84,14 +84,14 @@ class CompliantContacts {
   std::vector<SubPair> pair_;
   std::vector<SubPoint> point_;
   std::vector<std::uint64_t> point_key_;
-  std::vector<SubBody> body_;          // entries: bodies with corners within reach, and the platform
-  std::vector<std::int32_t> body_id_;  // per entry
-  std::vector<std::int32_t> entry_of_; // per body; -1: none
-  std::vector<std::int32_t> corners_;  // per entry: corners within reach
-  std::vector<double> stray_;          // per entry [m]
-  std::vector<std::uint8_t> touched_;  // per entry: 0 free, 1 touched in this substep, 2 before
+  std::vector<SubBody> body_;                  // entries: bodies with corners within reach, and the platform
+  std::vector<std::int32_t> body_id_;          // per entry
+  std::vector<std::int32_t> entry_of_;         // per body; -1: none
+  std::vector<std::int32_t> corners_;          // per entry: corners within reach
+  std::vector<double> stray_;                  // per entry [m]
+  std::vector<std::uint8_t> touched_;          // per entry: 0 free, 1 touched in this substep, 2 before
   std::vector<std::int32_t> row_begin_, row_;  // per entry: its points; 2 x point + (1: of b)
-  std::int32_t platform_ = -1;         // its entry
+  std::int32_t platform_ = -1;                 // its entry
 
   std::vector<std::uint64_t> key_;
   std::vector<CornerMemory> memory_;

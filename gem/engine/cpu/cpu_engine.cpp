@@ -20,8 +20,8 @@ CpuEngine::CpuEngine(const SceneDef& scene, Bodies bodies, int threads, std::siz
       dp_(dp_law_of(scene, bodies)),
       all_threads_(threads),
       coupled_(contacts_worth_a_thread) {
-  check_solver(scene.contact.solver,
-               {ContactSolver::independent, ContactSolver::coupled, ContactSolver::compliant}, "cpu");
+  check_solver(scene.contact.solver, {ContactSolver::independent, ContactSolver::coupled, ContactSolver::compliant},
+               "cpu");
   const StepConstants constants = step_constants(scene, bodies, mooring_.view(), &dp_);
   field_ = make_field_state(std::move(bodies), constants);
   field_.drive = drives_.at(step_);

@@ -104,7 +104,7 @@ std::vector<Touch> CompliantContacts::advance(const Rules& rules, State& s, Step
   pairs_.clear();
   tow_platform(rules, s);
   quality.iterations = static_cast<std::int32_t>(of_scene_ * refinement_);
-  for (std::int32_t k = 0; k < quality.iterations; ++k) substep(rules, s, s.steps == 0 && k == 0);
+  for (std::int32_t k = 0; k < quality.iterations; ++k) substep(rules, s);
   quality.energy_created = std::max(0.0, s.ledger.contact.left() - left);
   for (const auto& [pair, sum] : pairs_) {
     quality.contacts += static_cast<std::int32_t>(sum.corners.size());
@@ -118,7 +118,7 @@ std::vector<Touch> CompliantContacts::advance(const Rules& rules, State& s, Step
   return touches(start);
 }
 
-void CompliantContacts::substep(const Rules& rules, State& s, bool first) {
+void CompliantContacts::substep(const Rules& rules, State& s) {
   Bodies& b = s.bodies;
   ContactEnergy& energy = s.ledger.contact;
   std::vector<Push> push(b.count());
@@ -127,7 +127,7 @@ void CompliantContacts::substep(const Rules& rules, State& s, bool first) {
   before.swap(memory_);
   for (const Overlap& overlap : all_overlaps(b)) {
     s.struck[overlap.a] = s.struck[overlap.b] = 1;
-    std::vector<Corner> corners = recall(b, overlap, first, before);
+    std::vector<Corner> corners = recall(b, overlap, before);
     hand_over(overlap, corners, before, energy);
     press(law_of(rules, b, overlap), overlap, corners, s, push);
   }
@@ -161,10 +161,9 @@ CompliantContacts::PairLaw CompliantContacts::law_of(const Rules& rules, const B
           ice && scene.contact.crushing_limit};
 }
 
-/// The corners with their speeds and what they remember, which is taken out of `before`. The ice in front of a corner
-/// that overlaps at t = 0 (`first`) is crushed. So is that of a corner which comes in beside its side: its spring
-/// starts with what it closes in this substep.
-std::vector<CompliantContacts::Corner> CompliantContacts::recall(const Bodies& b, const Overlap& overlap, bool first,
+/// The corners with their speeds and what they remember, which is taken out of `before`. Where a corner has entered, or
+/// presses another side than before, its spring has changed by its motion in this substep alone.
+std::vector<CompliantContacts::Corner> CompliantContacts::recall(const Bodies& b, const Overlap& overlap,
                                                                  Memory& before) const {
   std::vector<Corner> corners;
   for (const CornerInside& at : overlap.corners) {
@@ -175,13 +174,14 @@ std::vector<CompliantContacts::Corner> CompliantContacts::recall(const Bodies& b
     c.u_n = dot(u, at.normal);
     c.u_t = dot(u, turned_left(at.normal));
     const auto found = before.find(c.key);
-    if (found != before.end()) {
+    c.fresh = found == before.end();
+    if (!c.fresh) {
       c.memory = found->second;
-    } else {
-      c.memory.crushed = first ? at.depth : std::max(0.0, at.depth - std::max(0.0, -h_ * c.u_n));
+      before.erase(found);
     }
-    c.fresh = found == before.end() || !(c.memory.normal > 0.0 || c.memory.crushed > 0.0);
-    if (found != before.end()) before.erase(found);
+    if (c.memory.pressed_side != at.side)
+      c.memory.crushed = std::max(0.0, at.depth - std::max(0.0, c.memory.elastic - h_ * c.u_n));
+    c.memory.pressed_side = at.side;
     corners.push_back(c);
   }
   return corners;
@@ -199,6 +199,7 @@ void CompliantContacts::hand_over(const Overlap& overlap, std::vector<Corner>& c
   if (fresh == corners.end()) return;
   CornerMemory& m = fresh->memory;
   m = left->second;
+  m.pressed_side = fresh->at.side;
   m.elastic = std::min(m.elastic, fresh->at.depth);
   m.crushed = fresh->at.depth - m.elastic;
   lose(stored(left->second) - stored(m), energy);

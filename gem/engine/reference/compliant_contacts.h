@@ -70,9 +70,9 @@ class CompliantContacts {
   };
 
   void set_substeps(const SceneDef& scene, const Bodies& bodies, std::int64_t of_scene);
-  void substep(const Rules& rules, State& s, bool first);
+  void substep(const Rules& rules, State& s);
   PairLaw law_of(const Rules& rules, const Bodies& b, const Overlap& overlap) const;
-  std::vector<Corner> recall(const Bodies& b, const Overlap& overlap, bool first, Memory& before) const;
+  std::vector<Corner> recall(const Bodies& b, const Overlap& overlap, Memory& before) const;
   void hand_over(const Overlap& overlap, std::vector<Corner>& corners, Memory& before, ContactEnergy& energy) const;
   void press(const PairLaw& law, const Overlap& overlap, std::vector<Corner>& corners, State& s,
              std::vector<Push>& push);

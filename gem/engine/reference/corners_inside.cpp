@@ -8,10 +8,13 @@
 namespace gem::reference {
 namespace {
 
-/// Whether corner k of `p` can meet a side from its outside: its neighbours are farther out, or less than 45 degrees
-/// deeper. A side past which p already reaches in is not met.
+/// Corners nearer than this are side by side [m].
+constexpr double tie = 1e-9;
+
+/// Whether corner k of `p` can have come through a side: its neighbours are farther out, or less than 30 degrees
+/// deeper.
 bool can_meet(const TurnedOutline& p, std::size_t k, Vec2 normal) {
-  constexpr double steepest = 0.7;
+  constexpr double steepest = 0.5;
   const std::size_t count = p.corner.size();
   for (const std::size_t neighbour : {(k + 1) % count, (k + count - 1) % count}) {
     const Vec2 flank = p.corner[neighbour] - p.corner[k];
@@ -20,30 +23,36 @@ bool can_meet(const TurnedOutline& p, std::size_t k, Vec2 normal) {
   return true;
 }
 
-/// Sets the nearest side of `q` that corner k of `p` can meet, and the depth behind it. Returns whether there is one
-/// and the corner is inside. `closed`: a corner on another side of q is inside; so of aligned faces that overlap two
-/// corners touch, not four or none.
-bool find_nearest_side(const TurnedOutline& p, std::size_t k, const TurnedOutline& q, Vec2 place_in_q, bool closed,
+/// Sets the side of `q` that corner k of `p` presses: the nearest through which it can have come, else the nearest.
+/// Returns whether there is one and the corner is inside. `slack`: how far beyond the other sides it still counts as
+/// inside [m]; it decides between two corners that are side by side.
+bool find_pressed_side(const TurnedOutline& p, std::size_t k, const TurnedOutline& q, Vec2 place_in_q, double slack,
                        CornerInside& found) {
   constexpr double none = std::numeric_limits<double>::infinity();
-  found.depth = none;
+  CornerInside any = found;
+  any.depth = found.depth = none;
+  std::int32_t outside = -1, count_outside = 0;
   for (std::size_t side = 0; side < q.corner.size(); ++side) {
     const double depth = dot(q.normal[side], q.corner[side] - place_in_q);
-    if (depth < 0.0 || (depth == 0.0 && !closed)) return false;
-    if (depth < found.depth && can_meet(p, k, q.normal[side])) {
-      found.depth = depth;
-      found.normal = q.normal[side];
+    const auto number = static_cast<std::int32_t>(side);
+    if (!(depth > -slack)) outside = number, ++count_outside;
+    for (CornerInside* best : {&any, &found}) {
+      if (!(depth < best->depth) || (best == &found && !can_meet(p, k, q.normal[side]))) continue;
+      best->depth = depth;
+      best->normal = q.normal[side];
+      best->side = number;
     }
   }
-  return found.depth > 0.0 && found.depth < none;
+  if (found.depth == none) found = any;
+  return found.depth > 0.0 && (count_outside == 0 || (count_outside == 1 && outside == found.side));
 }
 
 /// Appends the corners of p that are inside q.
 void find_corners(const Bodies& b, const std::vector<TurnedOutline>& outline, std::int32_t p, std::int32_t q,
                   std::vector<CornerInside>& corners) {
   for (std::size_t k = 0; k < outline[p].corner.size(); ++k) {
-    CornerInside found{p, q, static_cast<std::int32_t>(k), 0.0, {}, b.position[p] + outline[p].corner[k]};
-    if (find_nearest_side(outline[p], k, outline[q], found.place - b.position[q], p > q, found))
+    CornerInside found{p, q, static_cast<std::int32_t>(k), -1, 0.0, {}, b.position[p] + outline[p].corner[k]};
+    if (find_pressed_side(outline[p], k, outline[q], found.place - b.position[q], p > q ? tie : -tie, found))
       corners.push_back(found);
   }
 }

@@ -14,7 +14,8 @@ namespace gem::reference {
 struct CornerInside {
   std::int32_t p = 0, q = 0;
   std::int32_t corner = 0;  // of p
-  double depth = 0.0;       // distance from the nearest side of q that the corner can meet [m]
+  std::int32_t side = -1;   // of q, that it presses
+  double depth = 0.0;       // distance from that side [m]
   Vec2 normal;              // of that side, outward
   Vec2 place;               // [m]
 };

@@ -32,7 +32,7 @@ struct Ledger {
   double momentum_scale = 0.0;  // largest sum of mass x speed so far; residuals are relative to it [N s]
   double angular_scale = 0.0;   // scale of the angular momentum [N m s]
   double energy_scale = 0.0;    // largest energy term [J]
-  ContactEnergy contact;      // compliant contacts
+  ContactEnergy contact;        // compliant contacts
   double crack_energy = 0.0;  // of floes that split, 0 or less; the entry `impact` is what the contacts took beside [J]
 
   Quantity& operator[](Channel c) { return channel[static_cast<std::size_t>(c)]; }

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <charconv>
 #include <chrono>
 #include <cmath>
 #include <cstdio>
@@ -41,6 +42,12 @@ constexpr const char* load_names[] = {"mean", "sd_0.2s", "max_0.2s", "q99_0.2s",
 double load(const Loads& l, int k) {
   const double all[] = {l.mean, l.sd_short, l.most_short, l.high_short, l.most_long, l.sd_long, l.seconds};
   return all[k];
+}
+
+/// Reads the whole text as a number.
+bool read_number(const std::string& text, double& number) {
+  const auto [end, fault] = std::from_chars(text.data(), text.data() + text.size(), number);
+  return fault == std::errc() && end == text.data() + text.size();
 }
 
 double thread_seconds() {
@@ -148,11 +155,10 @@ int main_of(int count, char** text) {
     return 2;
   }
   const std::string path = text[1];
-  const double from = std::atof(text[2]), to = std::atof(text[3]);
+  double from = 0.0, to = 0.0, limit = 0.0;
+  if (!read_number(text[2], from) || !read_number(text[3], to)) return 2;
   const int seeds = std::atoi(text[4]), jobs = std::atoi(text[5]);
-  char* end = nullptr;
-  const double limit = std::strtod(text[6], &end);
-  const bool limited = *end == '\0';
+  const bool limited = read_number(text[6], limit);
   std::vector<Variant> variants;
   for (int i = limited ? 7 : 6; i < count; ++i) {
     const std::string one = text[i];
@@ -163,7 +169,8 @@ int main_of(int count, char** text) {
     }
     variants.push_back(v);
   }
-  std::vector<std::vector<Loads>> all(variants.size(), std::vector<Loads>(seeds));
+  using LoadsBySeed = std::vector<Loads>;
+  std::vector<LoadsBySeed> all(variants.size(), LoadsBySeed(seeds));
   std::atomic<int> next{0};
   const int total = seeds * static_cast<int>(variants.size());
   const auto begin = std::chrono::steady_clock::now();

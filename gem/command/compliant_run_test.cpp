@@ -121,11 +121,9 @@ TEST_F(CompliantRunTest, ItsKeysAreRefusedWithOtherSolvers) {
   }
 }
 
-TEST_F(CompliantRunTest, RunsOnTheCpuAlone) {
+TEST_F(CompliantRunTest, IsNotForBaselines) {
   EXPECT_EQ(shell(compliant("-q --out c.h5")), 0) << text_of("err");
   EXPECT_EQ(RunFile(path("c.h5")).attribute("gem_engine"), "cpu");
-  EXPECT_EQ(shell(compliant("--engine reference --out r.h5")), 2);
-  EXPECT_NE(text_of("err").find("the engine reference cannot run contact.solver = \"compliant\""), std::string::npos);
   if (shell("gem run --help | grep -q velocity-iterations") != 0) GTEST_SKIP() << "built without a baseline";
   EXPECT_EQ(shell(compliant("--engine box2d --out b.h5")), 2);
   EXPECT_NE(text_of("err").find("the engine box2d cannot run contact.solver = \"compliant\""), std::string::npos);

@@ -130,7 +130,7 @@ GEM_HD inline double exit_of(const Surface& s, int side, Vec2 y, Vec2 flank) {
   for (int j = 0; j < o.count; ++j) {
     if (!s.shows(j)) continue;
     const double room_j = dot(o.normal[j], o.corner[j] - y), rise_j = dot(o.normal[j], flank);
-    if (room_j < share * rise_j) share = room_j / rise_j;
+    if (rise_j > 0.0 && room_j < share * rise_j) share = larger(0.0, room_j / rise_j);
   }
   return share;
 }

@@ -323,7 +323,7 @@ TEST(ReferenceCompliant, AnOverlapAtTheStartIsCrushed) {
 
 /// Two squares whose sides are in line, or off by less than they overlap, hit like others.
 TEST(ReferenceCompliant, AlignedSquaresHit) {
-  for (const double off : {0.0, 1e-9, 1e-3, 0.1}) {
+  for (const double off : {0.0, 1e-10, 1e-8, 1e-3, 0.1}) {
     SceneDef scene = still_scene();
     scene.run.duration_s = 0.5;
     scene.floe = {floe(10.0, 10.0, {0.0, 0.0}, {0.5, 0.0}), floe(10.0, 10.0, {10.02, off}, {0.0, 0.0})};

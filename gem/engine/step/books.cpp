@@ -77,7 +77,6 @@ ContactEvent event_of(const Contact& contact, const EventBodies& bodies, double 
   e.point = bodies.position_b + arm_b;
   e.effective_mass = 1.0 / contact_compliance(bodies.mass_a, arm_a, bodies.mass_b, arm_b, contact.normal).nn;
   const double energy = 0.5 * e.effective_mass * e.closing_speed * e.closing_speed;
-  e.largest_force = contact.largest_force;
   e.peak_force = crushing_peak(bodies.ice, e.growth, longest_chord(contact, bodies), energy).force;
   return e;
 }
@@ -166,7 +165,9 @@ void log_events(const FieldState& f, Contacts contacts, std::int64_t step, StepL
     const Contact& contact = *at;
     if (!f.constants.is_platform(contact.a)) break;
     if (f.bodies.kind[contact.b] != BodyKind::floe) continue;  // a wall is not ice
-    if (presses(contact)) log.events.push_back(event_of(contact, event_bodies(f, contact), time));
+    if (!presses(contact)) continue;
+    log.events.push_back(event_of(contact, event_bodies(f, contact), time));
+    log.events.back().largest_force = contact.largest_force;
   }
 }
 

@@ -78,7 +78,8 @@ inline bool find_contact(const FieldState& f, std::int32_t a, std::int32_t b, Se
   if (!(axes.first.distance < limit)) return false;
   if (f.constants.solver == ContactSolver::compliant) {
     const Separation& axis = axes.first;
-    open_contact(contact, a, b, {axis.edge_of_b ? -outline_b.normal[axis.edge] : outline_a.normal[axis.edge], 0, {}}, offset);
+    open_contact(contact, a, b, {axis.edge_of_b ? -outline_b.normal[axis.edge] : outline_a.normal[axis.edge], 0, {}},
+                 offset);
     return true;
   }
   const ContactGeometry geometry = !f.piece_corner.empty() && f.constants.is_platform(a) ? piece_contact(f, a, b, axes)

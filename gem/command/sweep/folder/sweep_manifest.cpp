@@ -25,8 +25,8 @@
 #include "gem/command/command.h"
 #include "gem/command/sweep/folder/sweep_lock.h"
 #include "gem/command/sweep/folder/sweep_row_json.h"
-#include "gem/record/run_file/run_writer.h"
 #include "gem/record/output/output_path.h"
+#include "gem/record/run_file/run_writer.h"
 
 namespace gem {
 namespace {

@@ -122,6 +122,7 @@ void add_corners(Hash& hash, const KeptCorners& corners) {
     hash.add(corners.key[k]);
     const CornerMemory& m = corners.value[k];
     for (const double value : {m.crushed, m.stretch, m.stiffness, m.elastic, m.normal, m.side}) hash.add(value);
+    hash.add(static_cast<std::uint64_t>(m.pressed_side));
   }
 }
 

@@ -11,7 +11,7 @@
 #include "gem/record/run_file/column_pieces.h"
 #include "gem/record/run_file/run_file.h"
 #include "gem/record/run_file/stored_case.h"
-#include "gem/report/run/contact_energy_record.h"
+#include "gem/report/contact_energy_record.h"
 #include "gem/report/run/line_record.h"
 #include "gem/run/checkpoint/checkpoint_path.h"
 

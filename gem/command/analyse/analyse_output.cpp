@@ -7,7 +7,7 @@
 #include "gem/base/number_text.h"
 #include "gem/command/verdict_output.h"
 #include "gem/record/output/output_path.h"
-#include "gem/report/run/contact_energy_record.h"
+#include "gem/report/contact_energy_record.h"
 #include "gem/report/run/run_findings.h"
 
 namespace gem {

@@ -13,7 +13,7 @@
 #include "gem/record/output/output_path.h"
 #include "gem/record/run_file/run_file.h"
 #include "gem/record/run_file/stored_case.h"
-#include "gem/report/run/contact_energy_record.h"
+#include "gem/report/contact_energy_record.h"
 #include "gem/report/run/fixed_record.h"
 #include "gem/report/run/load_run.h"
 #include "gem/report/run/platform_series.h"

@@ -7,7 +7,7 @@
 #include "gem/command/command.h"
 #include "gem/command/verdict_output.h"
 #include "gem/record/run_file/run_writer.h"
-#include "gem/report/run/contact_energy_record.h"
+#include "gem/report/contact_energy_record.h"
 #include "gem/report/run/line_record.h"
 
 namespace gem {

@@ -1,4 +1,4 @@
-#include "gem/report/run/contact_energy_record.h"
+#include "gem/report/contact_energy_record.h"
 
 #include "gem/base/number_text.h"
 #include "gem/record/run_file/column_pieces.h"

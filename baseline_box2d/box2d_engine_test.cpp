@@ -34,6 +34,7 @@ EngineOptions on(const std::string& name) {
 
 SceneDef still_scene() {
   SceneDef scene;
+  scene.contact.solver = ContactSolver::coupled;
   scene.current.velocity_m_per_s = {0.0, 0.0};
   scene.water.drag_law = DragLaw::none;
   scene.ice.friction_ice = scene.ice.friction_structure = 0.0;

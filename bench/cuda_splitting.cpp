@@ -34,6 +34,7 @@ constexpr Setting settings[] = {{"gradient 32 dt", Iteration::gradient, 32, 1.0}
 /// Moves copies of a state on and prints the milliseconds per simulated second of all of them.
 void time_setting(const Phase& phase, SceneDef scene, const Bodies& field, EngineState start, const Setting& setting,
                   std::size_t copies) {
+  scene.contact.solver = ContactSolver::coupled;
   scene.numerics.iteration = setting.iteration;
   const IterationEnd end = default_end(setting.iteration);
   scene.numerics.iterations_maximum = setting.iterations > 0 ? setting.iterations : end.iterations_maximum;

@@ -23,7 +23,8 @@ inline constexpr Phase phases[] = {
 /// A run of Table 1 by its name, with the iteration "gradient", which the recorded results have. Throws gem::Error if
 /// there is none.
 inline SceneDef scene_of(const std::string& cases, const std::string& run) {
-  for (const SweepMember& member : expand_sweep(cases + "/table1.toml", {"numerics.iteration=\"gradient\""}))
+  for (const SweepMember& member :
+       expand_sweep(cases + "/table1.toml", {"contact.solver=\"coupled\"", "numerics.iteration=\"gradient\""}))
     if (member.name == run) return member.scene;
   throw Error(ExitCode::usage, "no run " + run + " in " + cases);
 }

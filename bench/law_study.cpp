@@ -109,6 +109,7 @@ std::vector<Sample> followed(const Law& law, ContactSolver solver, int divided_b
   scene.contact.solver = solver;
   scene.contact.manifold = solver == ContactSolver::coupled ? Manifold::chord_ends : Manifold::chord_middle;
   scene.numerics.time_step_s = law.coarsest / divided_by;
+  scene.contact.solver = ContactSolver::coupled;
   scene.numerics.iteration = Iteration::gradient;
   scene.numerics.residual_tolerance = 1e-10;
   scene.numerics.iterations_maximum = 5000;

@@ -24,7 +24,7 @@ def run(gem, path, setting, seed, speed):
     """Runs one setting with one seed; the wall time stands beside the file [s]."""
     iteration, iterations, tolerance, step = setting.split(":")
     keys = {
-        "numerics.iteration": iteration, "numerics.iterations_maximum": iterations,
+        "contact.solver": "coupled", "numerics.iteration": iteration, "numerics.iterations_maximum": iterations,
         "numerics.residual_tolerance": tolerance, "numerics.time_step_s": step, "run.seed": seed,
         "current.velocity_m_per_s": f"[{speed},0.0]", "output.platform_interval_s": WINDOW_S,
         "output.floes_interval_s": START_M / speed,

@@ -95,7 +95,8 @@ const std::vector<Feature> features = {
 
 /// With the iteration of the recorded results.
 SceneDef main_case() {
-  return read_scene(GEM_SOURCE_DIR "/cases/004_400_25.toml", {"numerics.iteration=\"gradient\""});
+  return read_scene(GEM_SOURCE_DIR "/cases/004_400_25.toml",
+                    {"contact.solver=\"coupled\"", "numerics.iteration=\"gradient\""});
 }
 
 /// The main case when the ice has just reached the platform; made once.

@@ -88,6 +88,8 @@ std::vector<EngineSetting> read_settings(const std::string& path, const CaseChoi
     setting.engine.baseline_settings = {"measures_quality=0"};  // measured outside the engine
     for (const std::string& option : words(options)) set_option(setting, option);
     CaseChoice choice = chosen_case;
+    choice.overrides.insert(choice.overrides.begin(),
+                            "contact.solver=\"coupled\"");  // unless the setting says otherwise
     setting.overrides = words(overrides);
     choice.overrides.insert(choice.overrides.end(), setting.overrides.begin(), setting.overrides.end());
     setting.scene = with_floes_of_run_file(read_case(choice));

@@ -110,7 +110,8 @@ void row(const std::string& setting, const Outcome& o, const Outcome& reference,
 
 int run(const std::vector<std::string>& a) {
   if (a.size() < 5) throw Error(ExitCode::usage, "five arguments are needed (see the head of the source)");
-  const SceneDef scene = read_case(case_named(a[0]));
+  SceneDef scene = read_case(case_named(a[0]));
+  scene.contact.solver = ContactSolver::coupled;
   const double start = number_of(a[1], "START_S"), window = number_of(a[2], "WINDOW_S");
   const Bodies field = make_field(scene);
   constexpr std::int64_t settling = 20;

@@ -46,7 +46,8 @@ constexpr std::array<Phase, 3> phases = {{{"drift", 60.0}, {"arrival", 300.0}, {
 
 /// With the iteration whose phases are timed.
 SceneDef scene_of(ContactSolver solver) {
-  SceneDef scene = read_scene(GEM_SOURCE_DIR "/cases/004_400_25.toml", {"numerics.iteration=\"gradient\""});
+  SceneDef scene = read_scene(GEM_SOURCE_DIR "/cases/004_400_25.toml",
+                              {"contact.solver=\"coupled\"", "numerics.iteration=\"gradient\""});
   scene.contact.solver = solver;
   if (solver == ContactSolver::independent) scene.contact.manifold = Manifold::chord_middle;
   return scene;

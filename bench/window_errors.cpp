@@ -149,6 +149,7 @@ class Tables {
 /// The reference's engine at the start of the first window.
 std::unique_ptr<Engine> settled_reference(const EngineSetting& reference, const Task& task) {
   SceneDef scene = with_floes_of_run_file(read_case(task.chosen_case));
+  scene.contact.solver = ContactSolver::coupled;
   scene.numerics.iteration = Iteration::gradient;  // it only leads to the window, and is many times cheaper in a jam
   const auto lead = make_engine(scene, make_field(scene), {"cpu", 1});
   const double step = scene.numerics.time_step_s, led = task.start - task.settle;

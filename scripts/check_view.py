@@ -231,6 +231,7 @@ def check_forces(page, file):
         expect(here.sum() > 10, "the jam has forces between floes")
         expect(shown[0] == rows["body_a"][here].tolist() and shown[1] == rows["body_b"][here].tolist(), "pairs that press")
         largest = max(abs(rows["force_x"][here]).max(), abs(rows["force_y"][here]).max())
+        strongest = float(rows["time"][:][numpy.hypot(rows["force_x"][:], rows["force_y"][:]).argmax()])
         for values, name in ((shown[2], "force_x"), (shown[3], "force_y")):
             wrong = abs(numpy.array(values) - rows[name][here]).max()
             expect(wrong <= largest / 2000 * 0.51, f"{name}: {wrong} of {largest}")
@@ -241,6 +242,7 @@ def check_forces(page, file):
     expect(page.value(pixels) != before, "the button hides the chains")
     page.value("document.getElementById('chains').click()")
     page.value("gemView.colourBy('contact_force')")
+    page.value(f"gemView.player.seek({strongest!r})")
     expect(page.value("gemView.shares.some(s => s > 0.2)"), "floes are coloured by their forces")
 
 

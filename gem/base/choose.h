@@ -12,6 +12,10 @@ GEM_HD GEM_INLINE double larger(double a, double b) { return a > b ? a : b; }
 GEM_HD GEM_INLINE double smaller(double a, double b) { return a < b ? a : b; }
 GEM_HD GEM_INLINE double magnitude(double a) { return a < 0.0 ? -a : a; }
 
+GEM_HD GEM_INLINE bool both(bool a, bool b) { return a && b; }
+GEM_HD GEM_INLINE bool but_not(bool a, bool b) { return a && !b; }
+GEM_HD GEM_INLINE bool any(bool a) { return a; }
+
 GEM_HD GEM_INLINE float pick(bool mask, float a, float b) { return mask ? a : b; }
 GEM_HD GEM_INLINE float larger(float a, float b) { return a > b ? a : b; }
 GEM_HD GEM_INLINE float smaller(float a, float b) { return a < b ? a : b; }

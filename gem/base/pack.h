@@ -1,9 +1,10 @@
-// Eight floats with the same arithmetic, side by side.
+// Eight floats, or four doubles, with the same arithmetic, side by side.
 //
 // A function template written for `Real` runs on one number and on a pack. Every operation is IEEE and lane by lane, so
 // the bits are the same.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 
 #include "gem/base/choose.h"
@@ -13,17 +14,50 @@ namespace gem {
 // every function on packs is inlined, since the calling convention of packs depends on the processor
 #pragma GCC diagnostic ignored "-Wpsabi"
 
-constexpr int float_lanes = 8;
+constexpr int float_lanes = 8, double_lanes = 4;
 typedef float FloatPack __attribute__((vector_size(32)));
 typedef std::int32_t FloatMask __attribute__((vector_size(32)));
 
-GEM_INLINE FloatPack pick(FloatMask mask, FloatPack a, FloatPack b) { return mask ? a : b; }
-GEM_INLINE FloatPack larger(FloatPack a, FloatPack b) { return a > b ? a : b; }
-GEM_INLINE FloatPack smaller(FloatPack a, FloatPack b) { return a < b ? a : b; }
-GEM_INLINE FloatPack magnitude(FloatPack a) { return a < 0.0F ? -a : a; }
-
 typedef float FloatHalf __attribute__((vector_size(16)));
+typedef double DoublePack __attribute__((vector_size(32)));
 typedef float FloatWide __attribute__((vector_size(64)));  // for processors with AVX-512, see GEM_WIDE
+
+template <class Mask, class Pack>
+GEM_INLINE Pack pick(Mask mask, Pack a, Pack b) {
+  return mask ? a : b;
+}
+template <class Pack>
+GEM_INLINE Pack larger(Pack a, Pack b) {
+  return a > b ? a : b;
+}
+template <class Pack>
+GEM_INLINE Pack smaller(Pack a, Pack b) {
+  return a < b ? a : b;
+}
+template <class Pack>
+GEM_INLINE Pack magnitude(Pack a) {
+  return a < 0 ? -a : a;
+}
+template <class Mask>
+GEM_INLINE Mask both(Mask a, Mask b) {
+  return a & b;
+}
+template <class Mask>
+GEM_INLINE Mask but_not(Mask a, Mask b) {
+  return a & ~b;
+}
+template <class Mask>
+GEM_INLINE bool any(Mask mask) {
+  std::int64_t bits = 0;
+  for (std::size_t l = 0; l < sizeof mask / sizeof mask[0]; ++l) bits |= mask[l];
+  return bits != 0;
+}
+
+namespace strict {
+typedef std::uint64_t DoubleBits __attribute__((vector_size(32)));
+GEM_INLINE DoubleBits bits_of(DoublePack x) { return (DoubleBits)x; }
+GEM_INLINE DoublePack double_of(DoubleBits bits) { return (DoublePack)bits; }
+}  // namespace strict
 
 /// Whether the processor has AVX-512, which functions marked GEM_WIDE need.
 inline bool has_wide_packs() {
@@ -37,6 +71,20 @@ GEM_INLINE FloatPack side_by_side(const float* left, const float* right) {
   __builtin_memcpy(&l, left, sizeof l);
   __builtin_memcpy(&r, right, sizeof r);
   return __builtin_shufflevector(l, r, 0, 1, 2, 3, 4, 5, 6, 7);
+}
+
+/// Transposes four rows of four.
+GEM_INLINE void transpose(DoublePack* r) {
+  for (int k = 0; k < 4; k += 2) {
+    const DoublePack a = r[k], b = r[k + 1];
+    r[k] = __builtin_shufflevector(a, b, 0, 4, 2, 6);
+    r[k + 1] = __builtin_shufflevector(a, b, 1, 5, 3, 7);
+  }
+  for (int k = 0; k < 2; ++k) {
+    const DoublePack a = r[k], b = r[k + 2];
+    r[k] = __builtin_shufflevector(a, b, 0, 1, 4, 5);
+    r[k + 2] = __builtin_shufflevector(a, b, 2, 3, 6, 7);
+  }
 }
 
 /// Transposes four rows of four into four columns, in both halves.

@@ -126,25 +126,6 @@ GEM_HD constexpr double inverse_of(int k) {
 }
 }  // namespace detail
 
-/// x^p for normal x > 0 and results that are normal, to 2e-9 of the result times 1 + |p|: a third of the cost of
-/// power().
-GEM_HD inline double power_short(double x, double p) {
-  const std::uint64_t bits = bits_of(x), mantissa = (bits & 0x000fffffffffffffULL) | 0x3ff0000000000000ULL;
-  double m = double_of(mantissa);
-  auto e = static_cast<double>(static_cast<std::int64_t>(bits >> 52) - 1023);
-  const bool high = m > 1.4142135623730951;
-  m = high ? 0.5 * m : m;
-  e = high ? e + 1.0 : e;
-  const double z = (m - 1.0) / (m + 1.0), z2 = z * z;
-  const double series = 1.0 + z2 * (1.0 / 3 + z2 * (1.0 / 5 + z2 * (1.0 / 7 + z2 * (1.0 / 9 + z2 * (1.0 / 11)))));
-  const double log2 = p * (e + 2.8853900817779268 * z * series);
-  const double n = std::floor(log2 + 0.5);
-  const double r = 0.6931471805599453 * (log2 - n);
-  double sum = 1.0;
-  for (int k = 8; k >= 1; --k) sum = 1.0 + r * detail::inverse_of(k) * sum;
-  return sum * power_of_two(static_cast<std::int64_t>(n));
-}
-
 /// The rotation by a number of full turns; exact for quarter turns.
 GEM_HD inline Rotation rotation_of_turns(double turns) {
   turns -= std::floor(turns);

@@ -72,7 +72,8 @@ TEST_F(CompareCommand, SaysWhyThereAreNoIntervals) {
 TEST_F(CompareCommand, SaysWhichRunHasNotConverged) {
   const std::string run = "gem run " GEM_SOURCE_DIR "/cases/small_sweep.toml --index 1 -q --threads 1 ";
   ASSERT_EQ(shell(run + "--out fine.h5 && " + run +
-                  "--set numerics.iteration=gradient --set numerics.iterations_maximum=1 --out rough.h5"),
+                  "--set contact.solver=coupled --set numerics.iteration=gradient --set numerics.iterations_maximum=1 "
+                  "--out rough.h5"),
             0)
       << text_of("err");
   ASSERT_EQ(shell("gem compare fine.h5 rough.h5"), 0) << text_of("err");
@@ -149,7 +150,8 @@ TEST_F(CompareCommand, AReportShowsTheChosenTime) {
 TEST_F(CompareCommand, AReportOfASweepSaysWhichRunsHaveNotConverged) {
   if (shell("command -v gnuplot") != 0) GTEST_SKIP() << "gnuplot is not installed";
   ASSERT_EQ(shell("gem sweep run " GEM_SOURCE_DIR "/cases/small_sweep.toml --index 1 -q --out runs --set "
-                  "numerics.iteration=gradient --set numerics.iterations_maximum=1 && gem report runs"),
+                  "contact.solver=coupled --set numerics.iteration=gradient --set numerics.iterations_maximum=1 && gem "
+                  "report runs"),
             0)
       << text_of("err");
   const std::string html = text_of("runs_report/index.html");

@@ -26,6 +26,7 @@ class CompliantRunTest : public CommandTest {
            "position_m = [-57.2, 0.0]\nvelocity_m_per_s = [0.5, 0.0]\nthickness_m = 1.0\n";
   }
   static std::string corner(const std::string& more) { return "gem run corner.toml --threads 1 " + more; }
+  static std::string rigid(const std::string& more) { return corner("--set 'contact.solver=\"coupled\"' " + more); }
   static std::string compliant(const std::string& more) {
     return corner("--set 'contact.solver=\"compliant\"' " + more);
   }
@@ -37,7 +38,7 @@ class CompliantRunTest : public CommandTest {
 };
 
 TEST_F(CompliantRunTest, OnlyItsFileHasTheBooksOfTheContacts) {
-  ASSERT_EQ(shell(compliant("-q --out c.h5") + " && " + corner("-q --out rigid.h5")), 0) << text_of("err");
+  ASSERT_EQ(shell(compliant("-q --out c.h5") + " && " + rigid("-q --out rigid.h5")), 0) << text_of("err");
   const RunFile run(path("c.h5")), rigid(path("rigid.h5"));
   for (const auto& entry : compliant_stats_columns()) {
     const std::string name = "stats/" + entry.column.name;
@@ -83,7 +84,8 @@ TEST_F(CompliantRunTest, TextsSayEnergiesInPlaceOfIterations) {
   for (const char* command : {"gem info c.h5", "gem analyse c.h5"}) {
     ASSERT_EQ(shell(command), 0) << text_of("err");
     EXPECT_NE(text_of("out").find(" crushed, "), std::string::npos) << command << "\n" << text_of("out");
-    EXPECT_NE(text_of("out").find("of the load, through corners softer than their ice"), std::string::npos);
+    EXPECT_NE(text_of("out").find("of the load, through corners with less than half the stiffness of their ice"),
+              std::string::npos);
   }
   ASSERT_EQ(shell(compliant("--json --out j.h5")), 0) << text_of("err");
   EXPECT_NE(text_of("out").find("\"softened_share\""), std::string::npos);
@@ -97,7 +99,7 @@ TEST_F(CompliantRunTest, AnotherRunBeginsWithCrushedIce) {
     const std::vector<double> values = run.column(name);
     return *std::max_element(values.begin(), values.end());
   };
-  EXPECT_GT(most("stats/maximum_depth"), 10.0 * most("stats/maximum_overlap"));
+  EXPECT_GT(most("stats/maximum_depth"), 5.0 * most("stats/maximum_overlap"));
   EXPECT_EQ(shell(compliant("-q --from c.h5@1 --out later.h5")), 0) << text_of("err");
   EXPECT_LT(RunFile(path("later.h5")).column("stats/energy_contact_crushed").back(), 100.0) << "it crushes again";
 }
@@ -114,7 +116,7 @@ TEST_F(CompliantRunTest, ATableHasItsColumns) {
 TEST_F(CompliantRunTest, ItsKeysAreRefusedWithOtherSolvers) {
   for (const char* key : {"contact.face_stiffness_Pa=5e8", "contact.damping_ratio=0.5",
                           "contact.structure_stiffness_N_per_m=1e9", "numerics.substeps=20"}) {
-    EXPECT_EQ(shell(corner(std::string("--set ") + key)), 3) << key;
+    EXPECT_EQ(shell(rigid(std::string("--set ") + key)), 3) << key;
     EXPECT_NE(text_of("err").find("allowed only with contact.solver = \"compliant\""), std::string::npos)
         << text_of("err");
     EXPECT_EQ(shell(compliant(std::string("-q --overwrite --out c.h5 --set ") + key)), 0) << text_of("err");

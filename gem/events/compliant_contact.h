@@ -40,6 +40,7 @@
 
 #include "gem/base/choose.h"
 #include "gem/base/macros.h"
+#include "gem/base/pack.h"
 #include "gem/events/contact_def.h"
 
 namespace gem {
@@ -57,11 +58,13 @@ struct CornerMemory {
 };
 
 /// Spring, dashpot and friction of a corner.
-struct CornerLaw {
-  double stiffness = 0.0;  // k [N/m]
-  double damping = 0.0;    // c [N s/m]
-  double friction = 0.0;   // mu [-]
+template <class Real>
+struct alignas(sizeof(Real)) CornerLawOf {
+  Real stiffness{};  // k [N/m]
+  Real damping{};    // c [N s/m]
+  Real friction{};   // mu [-]
 };
+using CornerLaw = CornerLawOf<double>;
 
 /// Stiffness of one corner of a pair [N/m]. `thickness` of the thinner floe [m]; `ice`: one of both bodies is a floe.
 GEM_HD inline double corner_stiffness(const ContactDef& def, double thickness, bool ice) {
@@ -74,24 +77,28 @@ GEM_HD inline double corner_damping(const ContactDef& def, double stiffness, dou
 }
 
 /// Force of spring and dashpot alone [N]. `elastic` is d - d_c [m].
-GEM_HD GEM_INLINE double corner_pressure(const CornerLaw& law, double elastic, double u_n) {
-  return elastic > 0.0 ? larger(0.0, law.stiffness * elastic - law.damping * u_n) : 0.0;
+template <class Real>
+GEM_HD GEM_INLINE Real corner_pressure(const CornerLawOf<Real>& law, Real elastic, Real u_n) {
+  return pick(elastic > 0.0, larger(Real{}, law.stiffness * elastic - law.damping * u_n), Real{});
 }
 
 /// d_c after a force that crushing has bound to `force` [m].
-GEM_HD GEM_INLINE double crushed_depth(const CornerLaw& law, double crushed, double depth, double force) {
+template <class Real>
+GEM_HD GEM_INLINE Real crushed_depth(const CornerLawOf<Real>& law, Real crushed, Real depth, Real force) {
   return larger(crushed, depth - force / law.stiffness);
 }
 
 /// Stretch after the corner has slid by `slid` [m] under the force `force` [N].
-GEM_HD GEM_INLINE double corner_stretch(const CornerLaw& law, double stretch, double slid, double force) {
-  const double most = law.friction * force / law.stiffness;
+template <class Real>
+GEM_HD GEM_INLINE Real corner_stretch(const CornerLawOf<Real>& law, Real stretch, Real slid, Real force) {
+  const Real most = law.friction * force / law.stiffness;
   return smaller(larger(stretch + slid, -most), most);
 }
 
 /// Friction on the corner along the tangent [N].
-GEM_HD GEM_INLINE double corner_friction(const CornerLaw& law, double stretch, double u_t, double force) {
-  const double most = law.friction * force;
+template <class Real>
+GEM_HD GEM_INLINE Real corner_friction(const CornerLawOf<Real>& law, Real stretch, Real u_t, Real force) {
+  const Real most = law.friction * force;
   return smaller(larger(-(law.stiffness * stretch + law.damping * u_t), -most), most);
 }
 

@@ -35,13 +35,13 @@ enum class FrictionLaw {
 };
 
 struct ContactDef {
-  ContactSolver solver = ContactSolver::coupled;
+  ContactSolver solver = ContactSolver::compliant;
   Manifold manifold = Manifold::chord_ends;
   FrictionLaw friction_law = FrictionLaw::one_step;
   bool crushing_limit = true;              ///< coupled: no impulse above that which crushes the smaller body
   double elastic_stiffness_N_per_m = 1e6;  ///< of the static stress in `independent`; 0 switches it off
   // compliant
-  double face_stiffness_Pa = 5e8;            ///< stiffness of a face on a face over the thickness of the thinner floe
+  double face_stiffness_Pa = 1e8;            ///< stiffness of a face on a face over the thickness of the thinner floe
   double damping_ratio = 0.5;                ///< zeta of a face that moves straight
   double structure_stiffness_N_per_m = 1e9;  ///< of a structure on a wall
 };

@@ -344,7 +344,7 @@ const std::vector<RowColumn<StatsRow>>& compliant_stats_columns() {
       stats_column("maximum_depth", "m", "deepest overlap since the last row, with crushed ice",
                    [](const StatsRow& s) { return s.maximum_depth; }),
       row("contact_load", "N s", "normal impulse through all contacts since t = 0", &ContactEnergy::load),
-      row("contact_softened", "N s", "part of it through corners that the stability limit softens",
+      row("contact_softened", "N s", "part of it through corners with less than half the stiffness of their ice",
           &ContactEnergy::softened)};
   return columns;
 }

@@ -26,7 +26,8 @@ std::string contact_energy_text(const ContactEnergy& energy) {
 }
 
 std::string softened_text(const ContactEnergy& energy) {
-  return number_text(100.0 * softened_share(energy), 3) + " % of the load, through corners softer than their ice";
+  return number_text(100.0 * softened_share(energy), 3) +
+         " % of the load, through corners with less than half the stiffness of their ice";
 }
 
 }  // namespace gem

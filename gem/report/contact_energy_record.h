@@ -18,7 +18,7 @@ inline double softened_share(const ContactEnergy& e) { return e.load > 0.0 ? e.s
 /// What the contacts took and hold: "12 J crushed, 3 J damped, ...".
 std::string contact_energy_text(const ContactEnergy& energy);
 
-/// "0.2 % of the load, through corners softer than their ice".
+/// "0.2 % of the load, through corners with less than half the stiffness of their ice".
 std::string softened_text(const ContactEnergy& energy);
 
 }  // namespace gem

@@ -203,6 +203,7 @@ void expect_quality(const StepQuality& a, const StepQuality& b, const Allowed& a
 
 SceneDef still_scene() {
   SceneDef scene;
+  scene.contact.solver = ContactSolver::coupled;
   scene.current.velocity_m_per_s = {0.0, 0.0};
   scene.water.drag_law = DragLaw::none;
   scene.ice.friction_ice = scene.ice.friction_structure = 0.0;

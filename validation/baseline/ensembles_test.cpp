@@ -102,7 +102,7 @@ TEST(EnsembleRows, OneHitOfOneFloe) {
   const std::string file = (folder.path() / "run.h5").string();
   const std::string command = std::string(GEM_PROGRAM) + " run " + GEM_SOURCE_DIR +
                               "/cases/analytic/V10_floe_on_moored_platform.toml --engine cpu -q --overwrite "
-                              "--until 60 --set output.event_speed_m_per_s=0 -o " +
+                              "--until 60 --set contact.solver=coupled --set output.event_speed_m_per_s=0 -o " +
                               file;
   ASSERT_EQ(std::system(command.c_str()), 0);
   const PlannedCase chosen{"V10", "", 0, 0.0, 60.0};

@@ -15,7 +15,8 @@ inline Judgement judge_softened(const RunMeasures& run) {
       "softened_share",           0.05, 0.5, percent_text, "raise numerics.substeps, or shorten numerics.time_step_s",
       "the run has no floe frame"};
   return judge(criterion, {run.softened_share},
-               percent_text(run.softened_share) + " of the load went through corners softer than their ice");
+               percent_text(run.softened_share) +
+                   " of the load went through corners with less than half the stiffness of their ice");
 }
 
 }  // namespace gem

@@ -154,7 +154,8 @@ TEST_F(CommandTest, AnalyseRefusesWhatItCannotJudge) {
 TEST_F(CommandTest, AnalyseSaysWhichRunsAreNotToBeBelieved) {
   const std::string run = "gem run " GEM_SOURCE_DIR "/cases/small_sweep.toml --index 1 -q --threads 1 ";
   ASSERT_EQ(shell(run + "--out fine.h5; for seed in 1 2; do " + run +
-                  "--set numerics.iteration=gradient --set numerics.iterations_maximum=1 --set run.seed=$seed --set "
+                  "--set contact.solver=coupled --set numerics.iteration=gradient --set numerics.iterations_maximum=1 "
+                  "--set run.seed=$seed --set "
                   "platform.start_offset_m=[0.$seed,0] --out bad$seed.h5; done"),
             0)
       << text_of("err");

@@ -146,10 +146,12 @@ TEST_F(SweepCommandTest, StrictCountsTheBadRuns) {
   const Json fine = Json::parse(text_of("out_"));
   EXPECT_EQ(fine.at("bad"), 0);
   EXPECT_EQ(fine.at("good").get<int>() + fine.at("doubtful").get<int>(), 6);
-  const Words once = {"--set", "numerics.iteration=gradient", "--set", "numerics.iterations_maximum=1"};
+  const Words once = {"--set", "contact.solver=coupled",       "--set", "numerics.iteration=gradient",
+                      "--set", "numerics.iterations_maximum=1"};
   EXPECT_EQ(sweep("nonsense", once), 0) << text_of("err_");
   EXPECT_EQ(Json::parse(text_of("out_")).at("bad"), 6);
-  EXPECT_EQ(sweep("nonsense", {once[0], once[1], once[2], once[3], "--strict"}), 6) << "runs done before count too";
+  EXPECT_EQ(sweep("nonsense", {once[0], once[1], once[2], once[3], once[4], once[5], "--strict"}), 6)
+      << "runs done before count too";
   EXPECT_NE(text_of("err_").find("6 of 6 runs are bad"), std::string::npos) << text_of("err_");
   for (const auto& [name, verdict] : status("nonsense", "verdict")) EXPECT_EQ(verdict, "bad") << name;
   EXPECT_EQ(gem({"sweep", "status", "nonsense"}), 0);

@@ -28,7 +28,7 @@ TEST(SweepSettings, NamesWhatVariesAndNothingElse) {
   EXPECT_EQ(find(columns, "current.velocity_m_per_s.x")->numbers, (std::vector<double>{0.25, 0.3}));
   EXPECT_EQ(find(columns, "current.velocity_m_per_s.y")->numbers, (std::vector<double>{0.0, 0.4}));
   EXPECT_EQ(find(columns, "platform_drag.present")->numbers, (std::vector<double>{0.0, 1.0}));
-  EXPECT_EQ(find(columns, "contact.solver")->texts, (std::vector<std::string>{"coupled", "independent"}));
+  EXPECT_EQ(find(columns, "contact.solver")->texts, (std::vector<std::string>{"compliant", "independent"}));
   EXPECT_NEAR(find(columns, "ice_thickness_m")->numbers[1], (1.2 + 3.0 * 0.5) / 4.0, 1e-15);
   EXPECT_TRUE(std::isnan(find(columns, "gap_m")->numbers[1])) << "no boundary, no gap";
   EXPECT_EQ(find(columns, "run.name"), nullptr);

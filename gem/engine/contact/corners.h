@@ -42,97 +42,43 @@ GEM_HD inline SideDistance outermost_side(const Surface& s, Vec2 y) {
   return best;
 }
 
-/// Whether a corner with these flanks (to its neighbours) can have come through a side with this outward normal.
-GEM_HD inline bool can_meet(const Vec2 flank[2], Vec2 normal) {
+/// A corner of an outline: its place and its flanks, the ways to its neighbours.
+struct Tip {
+  Vec2 at, flank[2];
+  double least[2] = {0.0, 0.0};  // of a normal along the flanks, where the corner can come through its side
+};
+GEM_HD inline Tip tip_of(const Outline& o, int corner) {
   constexpr double steepest = 0.5;  // sine of the angle at which the flanks may lead into the side
-  return dot(normal, flank[0]) >= -steepest * length(flank[0]) && dot(normal, flank[1]) >= -steepest * length(flank[1]);
+  Tip tip;
+  tip.at = o.corner[corner];
+  tip.flank[0] = o.corner[corner > 0 ? corner - 1 : o.count - 1] - tip.at;
+  tip.flank[1] = o.corner[corner + 1 < o.count ? corner + 1 : 0] - tip.at;
+  for (int k = 0; k < 2; ++k) tip.least[k] = -steepest * length(tip.flank[k]);
+  return tip;
 }
 
-/// A side that a corner may cross within a time step.
-struct NearSide {
-  Vec2 normal;
-  double offset = 0.0;    // of the side along its normal, from the centroid [m]
-  double distance = 0.0;  // of the corner outside it at the start [m]
-  std::int32_t side = 0;
-  bool meets = false;  // the corner may touch it; else it only bounds the outline
-};
+/// Whether the corner can have come through a side with this outward normal.
+GEM_HD inline bool can_meet(const Tip& tip, Vec2 normal) {
+  return dot(normal, tip.flank[0]) >= tip.least[0] && dot(normal, tip.flank[1]) >= tip.least[1];
+}
 
-/// The sides near a corner, outermost first.
-struct NearSides {
-  static constexpr int most = 6;
-  NearSide side[most];
-  int count = 0;
+/// Whether it can have come through any side. If not, it may press all that show.
+GEM_HD inline bool can_meet_any(const Surface& s, const Tip& tip) {
+  for (int j = 0; j < s.outline.count; ++j)
+    if (s.shows(j) && can_meet(tip, s.outline.normal[j])) return true;
+  return false;
+}
 
-  GEM_HD void add(const NearSide& one) {
-    if (count == most && side[most - 1].distance >= one.distance) return;
-    int at = count < most ? count++ : most - 1;
-    for (; at > 0 && side[at - 1].distance < one.distance; --at) side[at] = side[at - 1];
-    side[at] = one;
-  }
-};
-
-/// The sides that a corner at `y` may cross or press when it moves by up to `reach` [m]. If it can have come through
-/// none, it may press all that show.
-GEM_HD inline NearSides near_sides(const Surface& s, Vec2 y, const Vec2 flank[2], double reach) {
-  constexpr double none = -1e300;
-  double of_met = none, of_shown = none;
+/// The side that a corner at `y` presses, or would: the nearest through which it can have come.
+GEM_HD inline SideDistance nearest_met_side(const Surface& s, Vec2 y, const Tip& tip) {
+  const bool any_met = can_meet_any(s, tip);
+  SideDistance best{0, -1e300};
   for (int j = 0; j < s.outline.count; ++j) {
-    if (!s.shows(j)) continue;
     const double distance = dot(s.outline.normal[j], y - s.outline.corner[j]);
-    of_shown = larger(of_shown, distance);
-    if (can_meet(flank, s.outline.normal[j])) of_met = larger(of_met, distance);
+    const bool meets = s.shows(j) && (!any_met || can_meet(tip, s.outline.normal[j]));
+    if (meets && distance > best.distance) best = {j, distance};
   }
-  const bool meets_any = of_met > none;
-  const double nearest = meets_any ? of_met : of_shown;
-  NearSides near;
-  for (int j = 0; j < s.outline.count; ++j) {
-    const Vec2 normal = s.outline.normal[j];
-    const double distance = dot(normal, y - s.outline.corner[j]);
-    const bool meets = distance >= nearest - 2.0 * reach && s.shows(j) && (!meets_any || can_meet(flank, normal));
-    if (meets || distance > -reach) near.add({normal, dot(normal, s.outline.corner[j]), distance, j, meets});
-  }
-  return near;
-}
-
-/// Where two corners are side by side, as those of aligned faces, the one of the pair's second body presses: it counts
-/// as inside up to this distance beyond another side, the other one only that far within [m].
-inline constexpr double tie = 1e-9;
-
-/// The side that a corner presses, as its place in `near`; side < 0: it is not inside. `slack`: tie or -tie.
-GEM_HD inline SideDistance nearest_side(const NearSides& near, Vec2 y, double slack) {
-  SideDistance best{-1, -1e300};
-  int outside = -1;
-  for (int k = 0; k < near.count; ++k) {
-    const NearSide& one = near.side[k];
-    const double distance = dot(one.normal, y) - one.offset;
-    if (!(distance < slack)) {
-      if (outside >= 0 || !(distance < tie)) return {};
-      outside = k;
-    }
-    if (one.meets && distance > best.distance) best = {k, distance};
-  }
-  return best.distance < 0.0 && (outside < 0 || outside == best.side) ? best : SideDistance{};
-}
-
-/// Where a stretch `flank` that begins at `y`, inside the outline, leaves it through a side that shows, as a share of
-/// its length; 1: nowhere. `side`: where it probably does.
-GEM_HD inline double exit_of(const Surface& s, int side, Vec2 y, Vec2 flank) {
-  const Outline& o = s.outline;
-  const Vec2 normal = o.normal[side], begin = o.corner[side], end = o.corner[side + 1 < o.count ? side + 1 : 0];
-  const double room = dot(normal, begin - y), rise = dot(normal, flank);
-  if (room < rise) {
-    // a crossing with the line of the side is one with the outline if it is between the ends of the side
-    const double share = room / rise;
-    const Vec2 x = y + share * flank;
-    if (dot(end - begin, x - begin) >= 0.0 && dot(end - begin, x - end) <= 0.0) return share;
-  }
-  double share = 1.0;
-  for (int j = 0; j < o.count; ++j) {
-    if (!s.shows(j)) continue;
-    const double room_j = dot(o.normal[j], o.corner[j] - y), rise_j = dot(o.normal[j], flank);
-    if (rise_j > 0.0 && room_j < share * rise_j) share = larger(0.0, room_j / rise_j);
-  }
-  return share;
+  return best;
 }
 
 /// Calls take(corner, outermost side) for every corner of `p` that is closer than `reach` to `q` [m]. `to_p` is the

@@ -12,7 +12,7 @@ namespace {
 
 /// Longest substep of a floe [s].
 double longest_substep(const ContactDef& contact, double mass, double thickness) {
-  constexpr double compliances = 20.0;
+  constexpr double compliances = 12.0;
   return stable_kappa * std::sqrt(mass / (compliances * corner_stiffness(contact, thickness, true)));
 }
 

@@ -1,7 +1,7 @@
 // Compliant contacts of a host engine: corners are found once a time step, forces and motion follow in substeps.
 //
-//   begin    corners of every near pair, their laws within the stability limits, what they remember
-//   run      the substeps: press every pair | move every body
+//   begin    corners of every near pair
+//   run      the substeps: press every pair that may overlap | move every body that was touched
 //   finish   velocities and places of the bodies, impulses of the contacts, books
 #pragma once
 
@@ -9,11 +9,10 @@
 #include <cstdint>
 #include <vector>
 
-#include "gem/engine/contact/substep.h"
+#include "gem/engine/cpu/pair_blocks.h"
+#include "gem/engine/cpu/pairs_in_reach.h"
 #include "gem/engine/cpu/thread_team.h"
 #include "gem/engine/engine.h"
-#include "gem/engine/step/contact.h"
-#include "gem/engine/step/field_state.h"
 
 namespace gem {
 
@@ -28,7 +27,7 @@ class CompliantContacts {
   void finish(FieldState& f, Contacts contacts, ThreadTeam& team, int rank, StepQuality& quality, StepLog& log);
 
   /// Velocities before the other loads of the time step, to be set before they act.
-  void note_velocities(const FieldState& f);
+  void note_velocities(const FieldState& f) { near_.note_velocities(f); }
 
   std::int64_t substeps() const { return substeps_; }
   const ContactEnergy& energy() const { return energy_; }
@@ -37,61 +36,50 @@ class CompliantContacts {
   void restore(const EngineState& state);
 
  private:
-  /// A corner within reach.
-  struct Found {
-    std::int32_t contact = 0, corner = 0, side = 0;
-    bool of_b = false;
-    bool counts = false;  // for the stability limit: it is within reach of the present motion
-  };
+  // of an entry
+  static constexpr std::uint8_t free = 0, touched = 1, moves = 2;
   struct alignas(64) Part {  // one per thread
-    std::vector<Found> found;
+    PairBlocks blocks;
+  };
+  struct Opened {
+    std::int32_t part = -1;  // -1: not opened in this time step
+    PairLane lane;
   };
 
-  void find(const FieldState& f, Contacts contacts, const ThreadTeam& team, int rank);
-  void lay_out(const FieldState& f, Contacts contacts, int threads);
-  std::int32_t enter(const FieldState& f, std::int32_t body);
-  void watch_pair(const FieldState& f, Contacts contacts, SubPair& pair);
-  void open(const FieldState& f, Contacts contacts, SubPair& pair);
-  void press_range(const FieldState& f, Contacts contacts, std::int64_t substep, std::int64_t begin, std::int64_t end);
-  // several threads may note the same touch
-  std::uint8_t touched_of(std::int32_t entry) {
-    return std::atomic_ref<std::uint8_t>(touched_[entry]).load(std::memory_order_relaxed);
-  }
-  void note_touch(std::int32_t entry) {
-    std::atomic_ref<std::uint8_t>(touched_[entry]).store(1, std::memory_order_relaxed);
-  }
-  bool sum_of(std::int64_t entry, Vec2& impulse, double& twist) const;
-  void keep(SubPoint& point, std::uint64_t key);
-  void sum_rows();
+  void lay_out();
+  void open(const FieldState& f, Contacts contacts, std::int32_t pair, int part);
+  CornerMemory* remembered(std::uint64_t key);
+  void look_and_press(const FieldState& f, Contacts contacts, std::int64_t substep, std::int64_t begin,
+                      std::int64_t end, int rank);
   void move_bodies(FieldState& f, std::int64_t substep, const ThreadTeam& team, int rank);
   void move_platform(FieldState& f);
-  Surface surface_of(const FieldState& f, std::int32_t body) const;
+  PairPush sum_of(std::int64_t entry) const;
   void hand_back(FieldState& f, std::int32_t entry);
   void tell(FieldState& f, Contacts contacts, StepQuality& quality, StepLog& log);
-  void tell_pair(FieldState& f, const SubPair& pair, Contact& contact, StepQuality& quality, StepLog& log);
+  void tell_pair(FieldState& f, std::int32_t pair, Contact& contact, StepQuality& quality, StepLog& log);
   void remember();
+  // several threads may note the same touch
+  std::uint8_t state_of(std::int32_t entry) {
+    return std::atomic_ref<std::uint8_t>(state_[entry]).load(std::memory_order_relaxed);
+  }
+  void note_touch(std::int32_t entry) {
+    if (state_of(entry) == free) std::atomic_ref<std::uint8_t>(state_[entry]).store(touched, std::memory_order_relaxed);
+  }
 
   std::int64_t substeps_ = 1;
   double h_ = 0.0;  // [s]
   StepConstants of_substep_;
-  std::vector<std::uint8_t> hidden_side_, no_corner_;  // of the pieces of the platform, indexed as bodies.vertex
-
-  std::vector<Vec2> velocity_before_;  // [m/s]
-  std::vector<double> spin_before_;
+  PairsInReach near_;
 
   std::vector<Part> part_;
-  std::vector<Found> found_;
-  std::vector<SubPair> pair_;
-  std::vector<SubPoint> point_;
-  std::vector<std::uint64_t> point_key_;
-  std::vector<SubBody> body_;                  // entries: bodies with corners within reach, and the platform
-  std::vector<std::int32_t> body_id_;          // per entry
-  std::vector<std::int32_t> entry_of_;         // per body; -1: none
-  std::vector<std::int32_t> corners_;          // per entry: corners within reach
+  std::vector<Opened> opened_;                 // per pair
+  std::vector<PairPush> push_;                 // per pair, of the last substep
+  std::vector<std::uint8_t> presses_;          // per pair: a corner overlapped in the last substep
+  std::vector<std::uint64_t> corner_key_;      // per corner within reach
+  std::vector<SubMotion> motion_;              // per entry; of a free body: at the start
   std::vector<double> stray_;                  // per entry [m]
-  std::vector<std::uint8_t> touched_;          // per entry: 0 free, 1 touched in this substep, 2 before
-  std::vector<std::int32_t> row_begin_, row_;  // per entry: its points; 2 x point + (1: of b)
-  std::int32_t platform_ = -1;                 // its entry
+  std::vector<std::uint8_t> state_;            // per entry
+  std::vector<std::int32_t> row_begin_, row_;  // per entry: its pairs; 2 x pair + (1: it is b)
 
   std::vector<std::uint64_t> key_;
   std::vector<CornerMemory> memory_;

@@ -9,7 +9,7 @@
 namespace gem::reference {
 namespace {
 
-/// Substeps of a time step: kappa min sqrt(m / (20 k)) long over the floes without the lightest 1 % of the area, or
+/// Substeps of a time step: kappa min sqrt(m / (12 k)) long over the floes without the lightest 1 % of the area, or
 /// shorter if the scene says so.
 std::int64_t substeps_of(const SceneDef& scene, const Bodies& b) {
   std::multimap<double, double> areas;  // by the longest substep
@@ -17,7 +17,7 @@ std::int64_t substeps_of(const SceneDef& scene, const Bodies& b) {
   for (std::size_t i = 0; i < b.count(); ++i) {
     if (b.kind[i] != BodyKind::floe) continue;
     const double k = corner_stiffness(scene.contact, b.thickness[i], true);
-    areas.emplace(stable_kappa * std::sqrt(b.mass[i] / (20.0 * k)), b.area[i]);
+    areas.emplace(stable_kappa * std::sqrt(b.mass[i] / (12.0 * k)), b.area[i]);
     total += b.area[i];
   }
   std::int64_t needed = 1;

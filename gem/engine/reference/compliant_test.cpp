@@ -32,6 +32,7 @@ SceneDef still_scene() {
   scene.boundary.present = false;
   scene.platform.present = false;
   scene.contact.solver = ContactSolver::compliant;
+  scene.contact.face_stiffness_Pa = 5e8;  // hits are short
   scene.numerics.time_step_s = 0.005;
   scene.output.retire_x_m = 1e9;
   return scene;

@@ -17,7 +17,7 @@ struct ContactEnergy {
   double damped = 0.0;    // below crushing [J]
   double friction = 0.0;  // [J]
   double load = 0.0;      // impulse through all contacts [N s]
-  double softened = 0.0;  // part of it through corners that the stability limit softens [N s]
+  double softened = 0.0;  // part of it through corners with less than half the stiffness of their ice [N s]
 
   double left() const { return work + stored + crushed + damped + friction; }
 };

@@ -29,6 +29,7 @@ SceneDef turning_floe(double dt, double spin = 0.5) {
   scene.floe = {{rectangle(2.0, 12.0), {0.0, 0.0}, 0.0, {}, spin, 0.5},
                 {rectangle(10.0, 10.0), {8.0, 0.0}, 0.0, {}, 0.0, 0.5}};
   scene.numerics.time_step_s = dt;
+  scene.contact.solver = ContactSolver::coupled;
   return scene;
 }
 

@@ -12,9 +12,10 @@
 
 namespace gem::test {
 
-/// The scene with an iteration and the end that is its default.
+/// The scene with the coupled solver, an iteration and the end that is its default.
 inline SceneDef iterated_by(SceneDef scene, Iteration iteration) {
   const IterationEnd end = default_end(iteration);
+  scene.contact.solver = ContactSolver::coupled;
   scene.numerics.iteration = iteration;
   scene.numerics.residual_tolerance = end.residual_tolerance;
   scene.numerics.iterations_maximum = end.iterations_maximum;

@@ -40,7 +40,8 @@ TEST(BadScene, ListedFloesLimitTheTimeStep) {
   EXPECT_NE(rejection(pair + "0.41\n").find("allowed at most 0.4 s"), std::string::npos);
   // Here contacts are seen once they overlap, as with a reach of nothing.
   for (const std::string unseen :
-       {"[contact]\nsolver = \"independent\"\n", "[contact]\nmanifold = \"chord_middle\"\n", "contact_reach = 0\n"}) {
+       {"[contact]\nsolver = \"independent\"\n", "[contact]\nsolver = \"coupled\"\nmanifold = \"chord_middle\"\n",
+        "contact_reach = 0\n"}) {
     EXPECT_EQ(rejection(pair + "0.2\n" + unseen), "accepted");
     EXPECT_NE(rejection(pair + "0.21\n" + unseen).find("allowed at most 0.2 s"), std::string::npos);
   }

@@ -14,7 +14,8 @@ constexpr const char* kNotes = R"(<section><h2>How to read the numbers</h2>
 the platform.</p>
 <p>Ice loads are three quantities that are never mixed. The <em>impulse of a hit</em> is what
 one floe gives from first touch to release; a floe that rests against the platform may press for minutes. An <em>average</em>
-is the impulse over a stated time, divided by that time. A <em>crushing peak</em> is the closed-form force at the end of the
+is the impulse over a stated time, divided by that time. The <em>force of a hit</em> is that of the ice, which springs and
+crushes, in steps of milliseconds. Rigid ice has a <em>crushing peak</em> instead: it is the closed-form force at the end of the
 crushing of one hit, from closing speed, effective mass, thickness and contact width, of the two bodies alone. Floes that
 push from behind add to a hit, so an average over a short time may be larger. Against a flat side the peak is pressure times
 contact area whatever the speed, and lasts milliseconds. It is a local load, not a load on the mooring. <em>Not converged</em> stands beside

@@ -258,8 +258,10 @@ std::string loads_html(const RunData& run, const RunFindings& findings, const st
           {of_ice(mean_text(finding_of(analysis, "ice_force_x_mean_N"), mean_unit))}) +
       row("ice force averaged over the run, y",
           {of_ice(mean_text(finding_of(analysis, "ice_force_y_mean_N"), mean_unit))}) +
-      row("crushing peak (closed form) of one hit, largest", {of_short(of_events(force_text(l.crushing_largest)))}) +
-      row("crushing peak of a hit, median", {of_short(of_events(force_text(l.crushing_median)))}) +
+      row(run.events.resolved ? "force of one hit, largest" : "crushing peak (closed form) of one hit, largest",
+          {of_short(of_events(force_text(l.crushing_largest)))}) +
+      row(run.events.resolved ? "largest force of a hit, median" : "crushing peak of a hit, median",
+          {of_short(of_events(force_text(l.crushing_median)))}) +
       (run.is_held && !is_transit(run)
            ? row(holder_text(run) + " force, largest",
                  {of_mooring(force_text(l.mooring_largest) + where_text(l.mooring_largest, l.mooring_at))}) +

@@ -23,6 +23,7 @@ COMMANDS = {
     "converged": ("converged_page", "judges the runs of bench/results/paper_splitting; writes validation/paper/converged.md"),
     "breakup": ("breakup_table", "reads the folder of cases/splitting_thickness.toml; prints the table of its page"),
     "resistance": ("resistance_page", "reads the folder of cases/pack_ice_resistance.toml; writes validation/resistance.md"),
+    "loads": ("loads_page", "writes table and figure of gem/manual/how_sure.md from bench/results"),
     "readme_tables": ("readme_tables", "writes the tables of README.md from bench/results"),
 }
 

@@ -100,7 +100,7 @@ def report_blocks(example):
     cells = [tuple(html.unescape(re.sub("<[^>]*>", "", cell)) for cell in row) for row in
              re.findall(r"<tr><th[^>]*>(.*?)</th><td>(.*?)</td></tr>", table[:table.index("</table>")])]
     value = dict(cells)
-    peak = value["crushing peak (closed form) of one hit, largest"].split(" (")[0]
+    peak = value["force of one hit, largest"].split(" (")[0]
     lines = example.call("analyse", "first.h5")[1].splitlines()
     mooring, window = value_in(lines, "mooring_force_largest_N"), value_in(lines, "ice_force_window_largest_N")
     words = [f"So the answer to \"the largest load\" is: {force(mooring)} for the mooring lines together, {force(window)} for the "

@@ -146,7 +146,7 @@ void add_loads(Rows& rows) {
   rows.number("event_impulse_largest_N_s", "impulse of one hit, largest",
               [](const ComparedRun& run) { return run.findings.loads.event_impulse_largest; });
   rows.short_load();
-  rows.number("crushing_peak_largest_N", "crushing peak of one hit, largest",
+  rows.number("crushing_peak_largest_N", "force (rigid ice: crushing peak) of one hit, largest",
               [](const ComparedRun& run) { return run.findings.loads.crushing_largest; });
   rows.short_load();
 }

@@ -40,6 +40,9 @@ double largest_peak(const RunData& run, const TimeWindow& window) {
   return largest;
 }
 
+/// What events have: the largest force of their substeps, or the closed form of a rigid hit.
+std::string peak_words(const RunData& run) { return run.events.resolved ? "largest force" : "crushing peak"; }
+
 /// The extract at full resolution, and the crushing peaks of its impacts. A mean is recorded at the end of its window;
 /// it is drawn at the middle.
 void write_window(const RunData& run, const TimeWindow& window, const Unit& unit, const Unit& peak_unit,
@@ -53,7 +56,7 @@ void write_window(const RunData& run, const TimeWindow& window, const Unit& unit
   for (std::size_t i = range.begin; i < range.end; ++i)
     means.row({p.time[i] - 0.5 * run.force_window_s, p.ice_force_mean_x[i] / unit.size});
   if (has_window(run)) folder.write_csv("ice_force_window_mean", means);
-  Csv peaks("t [s],x component of the crushing peak [" + peak_unit.name + "]");
+  Csv peaks("t [s],x component of the " + peak_words(run) + " [" + peak_unit.name + "]");
   for (const std::size_t i : impacts_within(run, window))
     // The normal points into the ice; the force on the platform points the other way.
     peaks.row({run.events.time[i], -run.events.nx[i] * run.events.force_peak[i] / peak_unit.size});
@@ -74,7 +77,7 @@ std::string window_plots(const RunData& run, const TimeWindow& window, const std
     commands << ", 'ice_force_window_mean.csv' using 1:2 with lines lc rgb '#440154' lw 1.8 title 'over "
              << number_text(run.force_window_s, 6) << " s'";
   commands
-      << "\nset xlabel 'time [s]' offset 0,0.4\nset ylabel 'crushing peak, x [" << peak_unit.name
+      << "\nset xlabel 'time [s]' offset 0,0.4\nset ylabel '" << peak_words(run) << ", x [" << peak_unit.name
       << "]'\nplot 0 with lines lc rgb '#8a8f98' lw 0.8 notitle, 'ice_force_peaks.csv' using 1:2 with impulses lc rgb "
          "'#d9b39c' lw 1.6 notitle, '' using 1:2 with points pt 7 ps 0.35 lc rgb '#c2571a' title 'each impact'\n";
   return commands.str();
@@ -109,7 +112,7 @@ Figure draw_ice_force(const RunData& run, const PlotFolder& folder) {
       " s divided by " + sample + " s. Middle: the " + number_text(window.to - window.from, 2) + " s " +
       window_text(run) + " (marked above)" +
       (has_window(run) ? ", with the mean over the " + number_text(run.force_window_s, 6) + " s about each time" : "") +
-      ". Bottom: the closed-form crushing peaks of the impacts in that time, which no impulse over a sample can show.";
+      ". Bottom: the " + peak_words(run) + " of each impact in that time, which no impulse over a sample can show.";
   return folder.draw({"ice_force", "Net x force of the ice on the platform", caption, ""}, {1000, 780}, commands.str());
 }
 

@@ -117,7 +117,10 @@ void add_drag(const RunFile& file, PlatformRecord& p) {
 
 EventColumns event_record(const RunFile& file) {
   const auto read = [&file](const std::string& name) { return column(file, "events/" + name); };
-  EventColumns events{read("time"), {}, read("nx"), read("ny"), read("impulse"), read("force_peak")};
+  const bool resolved = file.has("events/largest_force");
+  EventColumns events{
+      read("time"), {}, read("nx"), read("ny"), read("impulse"), read(resolved ? "largest_force" : "force_peak"),
+      resolved};
   std::vector<double> bodies = read("body_b");
   check_record(file, "events", events.time,
                {{"nx", &events.nx},

@@ -50,7 +50,8 @@ struct EventColumns {
   std::vector<std::int32_t> body_b;
   std::vector<double> nx, ny;
   std::vector<double> impulse;     // normal [N s]
-  std::vector<double> force_peak;  // closed-form crushing peak [N]
+  std::vector<double> force_peak;  // largest force, or closed-form crushing peak [N]
+  bool resolved = false;           // force_peak is the largest force of substeps
 };
 
 struct StatsRecord {

@@ -35,9 +35,23 @@ const std::vector<std::string> platform_columns = {"time",
                                                    "drag_force_y",
                                                    "ice_yaw_moment",
                                                    "contacts"};
-const std::vector<std::string> event_columns = {
-    "time",      "body_b",         "x",          "y",     "nx",    "ny",       "closing_speed",  "impulse",
-    "impulse_t", "effective_mass", "force_peak", "width", "depth", "duration", "window_impulse", "window_end"};
+const std::vector<std::string> event_columns = {"time",
+                                                "body_b",
+                                                "x",
+                                                "y",
+                                                "nx",
+                                                "ny",
+                                                "closing_speed",
+                                                "impulse",
+                                                "impulse_t",
+                                                "effective_mass",
+                                                "force_peak",
+                                                "largest_force",
+                                                "width",
+                                                "depth",
+                                                "duration",
+                                                "window_impulse",
+                                                "window_end"};
 const std::vector<std::string> stats_columns = {"time",         "kinetic_energy", "contacts",
                                                 "iterations",   "residual",       "maximum_overlap",
                                                 "active_floes", "wall_time",      "sim_rate"};

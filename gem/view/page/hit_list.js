@@ -7,7 +7,7 @@ const orders = [
   {key: 'force', label: 'mean force', text: value => withUnit(value, 'N')},
   {key: 'impulse', label: 'impulse', text: value => withUnit(value, 'N s')},
   {key: 'closing', label: 'closing speed', text: value => `${shortNumber(value)} m/s`},
-  {key: 'peak', label: 'crushing peak', text: value => withUnit(value, 'N')},
+  {key: 'peak', label: 'peak force', text: value => withUnit(value, 'N')},
 ];
 
 export class LoadCard {

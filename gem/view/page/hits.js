@@ -16,7 +16,8 @@ export class Hits {
     this.duration = get('duration');
     this.impulse = get('impulse');
     this.closing = get('closing_speed');
-    this.peak = get('force_peak');
+    const resolved = get('largest_force');  // runs of rigid ice have the crushing peak alone
+    this.peak = resolved.length ? resolved : get('force_peak');
     this.windowImpulse = get('window_impulse');  // older files have none
     this.windowEnd = get('window_end');
     this.floe = Int32Array.from(get('body_b'), body => body - run.description.first_floe_body);

@@ -48,7 +48,7 @@ template <class Real>
 struct alignas(sizeof(Real)) SubSide {
   VecOf<Real> normal;
   Real offset = Real{} + 1e300;  // along the normal, from the centroid [m]
-  Real role{};                   // one of SideRole
+  Real role{};                   // one of side_role
 };
 namespace side_role {
 constexpr double bounds = 0.0;  // is inside another piece of the body: no surface

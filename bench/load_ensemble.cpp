@@ -142,8 +142,9 @@ void print_ratios(const std::vector<Variant>& variants, const std::vector<std::v
       }
       if (logs.size() < 2) continue;
       const auto n = static_cast<double>(logs.size());
-      const double half = student(n - 1.0) * deviation_of(logs) / std::sqrt(n - 1.0);
-      std::printf("   %5.3f +- %5.3f", std::exp(mean_of(logs)), half);
+      const double mean = std::exp(mean_of(logs));
+      const double half = mean * student(n - 1.0) * deviation_of(logs) / std::sqrt(n - 1.0);
+      std::printf("   %5.3f +- %5.3f", mean, half);
     }
     std::printf("  %8.4f  %8.4f\n", softened, left);
   }

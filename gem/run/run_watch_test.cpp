@@ -36,7 +36,11 @@ class RunWatchTest : public testing::Test {
     watch.add(log);
   }
 
-  SceneDef scene_;
+  SceneDef scene_ = [] {
+    SceneDef scene;
+    scene.contact.solver = ContactSolver::coupled;
+    return scene;
+  }();
   FakeEngine engine_{scene_, fake_field(3)};
 };
 

@@ -12,10 +12,9 @@
 
 namespace gem::test {
 
-/// The scene with the coupled solver, an iteration and the end that is its default.
+/// The scene with an iteration and the end that is its default.
 inline SceneDef iterated_by(SceneDef scene, Iteration iteration) {
   const IterationEnd end = default_end(iteration);
-  scene.contact.solver = ContactSolver::coupled;
   scene.numerics.iteration = iteration;
   scene.numerics.residual_tolerance = end.residual_tolerance;
   scene.numerics.iterations_maximum = end.iterations_maximum;
@@ -29,6 +28,7 @@ inline void use_gradient(SceneDef& scene) { scene = iterated_by(std::move(scene)
 /// line.
 inline SceneDef busy_scene(std::uint64_t seed) {
   SceneDef scene;
+  scene.contact.solver = ContactSolver::coupled;
   use_gradient(scene);
   scene.run.seed = seed;
   scene.current.velocity_m_per_s = {0.8, 0.1};

@@ -99,7 +99,8 @@ TEST_F(CompliantRunTest, AnotherRunBeginsWithCrushedIce) {
     const std::vector<double> values = run.column(name);
     return *std::max_element(values.begin(), values.end());
   };
-  EXPECT_GT(most("stats/maximum_depth"), 5.0 * most("stats/maximum_overlap"));
+  // 364 kN crush 58.7 mm and shorten the spring of 5e7 N/m by 7.3 mm
+  EXPECT_GT(most("stats/maximum_depth"), 7.0 * most("stats/maximum_overlap"));
   EXPECT_EQ(shell(compliant("-q --from c.h5@1 --out later.h5")), 0) << text_of("err");
   EXPECT_LT(RunFile(path("later.h5")).column("stats/energy_contact_crushed").back(), 100.0) << "it crushes again";
 }

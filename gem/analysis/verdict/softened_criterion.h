@@ -1,10 +1,11 @@
 // Compliant contacts: the load through corners with less than half the stiffness of their ice, over all load [-].
 //
 // A substep cannot resolve a corner that is stiffer than the limit (compliant_contact.h): it gets less stiffness, so
-// its ice springs more and its loads come later and are lower. Half of it changes no load of 0.2 s and longer. Doubtful
-// above 0.05: 5 % is what loads are wanted to. Bad above 0.5: then most of the load is that of other ice than the case
-// has. A crowd of 1500 floes and a jam of 4008 had 0.6 to 2 % with the substeps of the rule, 19 % with half of them, 76
-// to 82 % with a quarter.
+// its ice springs more and its loads come later and are lower. Down to half of it
+// is let pass: four times the stiffness changes the largest force of 0.2 s of a crowd by a sixth, and no mean load
+// (gem/manual/how_sure.md). Doubtful above 0.05: 5 % is what loads are wanted to. Bad above 0.5: then most of the load
+// is that of other ice than the case has. A crowd of 1500 floes and a jam of 4008 had 0.6 to 2 % with the substeps of
+// the rule, 19 % with half of them, 76 to 82 % with a quarter.
 #pragma once
 
 #include "gem/analysis/verdict/criterion.h"

@@ -1,4 +1,4 @@
-// Which corners of two convex outlines may overlap the other one within a time step, and how deep a corner is inside.
+// Which corners of two convex outlines may overlap the other one within a time step, and which sides they can press.
 //
 // Where two convex outlines overlap by little, a corner of one lies inside the other: the corner of a tip, both ends of
 // a facing stretch. So a contact is a set of corners, each with the nearest side of the other outline that it can meet.

@@ -5,7 +5,7 @@
 //   m  mass of a floe [kg]     k  stiffness of one of its corners [N/m]
 // A corner's compliance is up to 12 / m with a rigid wall and three corners in contact. Where a floe has more, or is
 // lighter, its corners are softened (stable_law()); the verdict says how much load went through those with less than
-// half of their stiffness. Measured: below 2 % in a crowd and in jams.
+// half of their stiffness. Measured: at most 2 % in a crowd and in jams.
 #pragma once
 
 #include <cstdint>

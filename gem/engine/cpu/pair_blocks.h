@@ -26,7 +26,7 @@ struct CornerAtStart {
   bool overlapped = false;  // it has a memory
 };
 
-/// A row that moves in this substep. One that does not stay until press() is copied.
+/// The motion of a body in this substep. It is copied if it does not stay until press().
 struct MotionRow {
   const SubMotion* row = nullptr;
   bool stays = true;
